@@ -10,6 +10,7 @@
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/silhouette/options.h"
+#include "croquis/silhouette/stroke_data.h"
 
 /// From strokes to a labelled figure: every contour closed, every piece of it with the number of surfaces in front.
 /// Cordier, Seo, Cho 2006, section 3; Williams 1994 (figural completion and labelling).
@@ -55,6 +56,7 @@ struct FigureObject {
   std::vector<Index> strokes;  ///< indices into Drawing::strokes
   std::vector<Index> contours;
   int euler_region = 0;  ///< Euler number of its immersed region, from the turning numbers of its contours
+  bool tube = false;     ///< limbs that were drawn as one line
 };
 
 /// One place where an object passes in front of another, or of itself: the region of a pair of layers.
@@ -107,10 +109,12 @@ struct CrossingInView {
   Vec2 at = Vec2::Zero();  ///< one of the places where they cross, sketch units
   bool chosen = false;     ///< by the stroke's "behind", see stroke_data.h; else by the order of drawing
   bool whole = false;      ///< both are closed outlines; else one ends within the other
+  bool tube = false;       ///< one is the outline of a limb that was drawn as one line
 };
 
 struct LabelledDrawing {
   std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
+  std::vector<StrokeKind> kinds;        ///< per stroke of the drawing: Hidden, Contour, Detail, Tube or Ignored
   std::vector<CrossingInView> crossings;
   Findings findings;  ///< warnings, and the errors of parts that could not
 };

@@ -13,10 +13,14 @@ namespace croquis::silhouette {
 
 /// The attribute "kind".
 enum class StrokeKind {
-  Visible,  ///< "visible", or not given
+  Visible,  ///< "visible", or not given: its meaning is found
   Hidden,   ///< "hidden": a piece of contour behind something, used instead of one that is found
+  Contour,  ///< "contour": it bounds a surface
   Part,     ///< "part": a closed outline within another one bounds a part in front
-  Hole      ///< "hole": it bounds a hole
+  Hole,     ///< "hole": it bounds a hole
+  Detail,   ///< "detail": a line on the surface, such as a mouth, a fold or fur
+  Tube,     ///< "tube": a limb of one line, such as a leg, a tail or an arm
+  Ignored   ///< "ignored": no part of the drawing, such as a letter
 };
 
 inline constexpr const char* kind_key = "kind";

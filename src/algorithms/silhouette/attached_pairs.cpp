@@ -107,10 +107,10 @@ class Resolver {
   }
 
   /// What looks attached, and isn't named.
-  void suggest() {
+  void suggest(bool tubes_only) {
     for (std::size_t f = 0; f < labelled_.figures.size(); ++f) {
       for (const AttachSuggestion& suggestion : attach_suggestions(labelled_.figures[f])) {
-        if (named_[f].contains({suggestion.a, suggestion.b})) continue;
+        if (named_[f].contains({suggestion.a, suggestion.b}) || (tubes_only && !suggestion.tube)) continue;
         AttachedPair pair;
         pair.hold = suggestion.hold;
         pair.blend = suggested_blend;
@@ -161,7 +161,7 @@ class Resolver {
 AttachedFigures attached_figures(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options) {
   Resolver resolver(labelled, drawing);
   for (const AttachedPair& pair : options.attach) resolver.resolve(pair);
-  if (options.attach_suggested) resolver.suggest();
+  resolver.suggest(!options.attach_suggested);
   return resolver.take();
 }
 

@@ -12,6 +12,7 @@
 #include "algorithms/silhouette/figure/drawing_parts.h"
 #include "algorithms/silhouette/figure/nested_outlines.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
+#include "algorithms/silhouette/reading/tube_outlines.h"
 #include "algorithms/silhouette/strokes/doubled_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/told_hidden.h"
@@ -67,7 +68,7 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
       };
       overlap.whole_outlines =
           std::any_of(labelled.crossings.begin(), labelled.crossings.end(), [&](const CrossingInView& pair) {
-            return pair.whole && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
+            return pair.whole && !pair.tube && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
           });
     }
   }
@@ -97,6 +98,32 @@ struct Material {
   Envelope envelope;
 };
 
+/// What was found of every stroke of the drawing.
+std::vector<StrokeKind> kinds_of(const Material& material, const Reading& reading) {
+  std::vector<StrokeKind> kinds(material.drawing.strokes.size(), StrokeKind::Ignored);
+  for (const HiddenStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
+  for (Index s = 0; s < reading.kinds.size(); ++s) {
+    StrokeKind& kind = kinds[material.sampled.strokes[s].stroke];
+    switch (reading.kinds[s]) {
+      case LineKind::Contour:
+      case LineKind::Region: kind = StrokeKind::Contour; break;
+      case LineKind::Detail: kind = StrokeKind::Detail; break;
+      case LineKind::Tube: kind = StrokeKind::Tube; break;
+      case LineKind::Ignored: kind = StrokeKind::Ignored; break;
+    }
+  }
+  return kinds;
+}
+
+void mark_tubes(LabelledDrawing& labelled) {
+  for (LabelledFigure& figure : labelled.figures) {
+    for (FigureObject& object : figure.objects) {
+      object.tube =
+          std::ranges::all_of(object.strokes, [&](Index stroke) { return labelled.kinds[stroke] == StrokeKind::Tube; });
+    }
+  }
+}
+
 /// @param matchings of hidden ends that are tried at most
 LabelledDrawing label_reading(const Material& material, const Reading& reading, int matchings,
                               const Progress& progress) {
@@ -114,8 +141,9 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   }
   append(find_doubled_lines(drawing, lines, scale), findings);
   const std::vector<MetBar> met = meet_bars(lines, contours.targets, scale);
-  VisibleCrossings crossed;
-  if (options.crossings == Crossings::Front) crossed = cut_visible_crossings(drawing, lines, scale, progress);
+  for (CleanLine& line : tube_outlines(material.sampled, reading, lines)) lines.push_back(std::move(line));
+  const bool tubes_only = options.crossings != Crossings::Front;
+  VisibleCrossings crossed = cut_visible_crossings(drawing, lines, scale, tubes_only, progress);
   ToldHidden told = told_hidden(drawing, material.sampled.hidden, lines, scale);
   std::vector<HiddenPiece> pieces = std::move(crossed.pieces);
   pieces.insert(pieces.end(), told.pieces.begin(), told.pieces.end());
@@ -130,6 +158,9 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
   result.crossings = std::move(crossed.pairs);
+  std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.tube; });
+  result.kinds = kinds_of(material, reading);
+  mark_tubes(result);
   mark_whole_outlines(result);
   append(std::move(crossed.findings), findings);
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
@@ -154,14 +185,14 @@ std::vector<Index> faulty_strokes(const Material& material, const Findings& find
   return faulty;
 }
 
-/// One warning for each stroke that no contour uses.
+/// One warning for each stroke that is ignored.
 Findings left_out(const Material& material, const Reading& reading) {
   Findings findings;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
-    if (reading.kinds[s] == LineKind::Contour || reading.kinds[s] == LineKind::Region) continue;
+    if (reading.kinds[s] != LineKind::Ignored || material.sampled.strokes[s].told == StrokeKind::Ignored) continue;
     const Index stroke = material.sampled.strokes[s].stroke;
     findings.push_back(make_warning(Category::Geometry, "W_LEFT_OUT",
-                                    in_quotes(material.drawing, stroke) + " bounds nothing and was left out",
+                                    in_quotes(material.drawing, stroke) + " is no line of a solid and was left out",
                                     {stroke_subject(material.drawing, stroke)}));
   }
   return findings;
@@ -176,12 +207,14 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
   std::optional<LabelledDrawing> first;
-  for (int tried = 0; tried <= most_readings; ++tried) {
+  for (int tried = 0; tried < most_readings + 2; ++tried) {
     progress.check();
     if (tried == most_readings) program.allow_regions_only();
+    if (tried == most_readings + 1) program.forbid(LineKind::Tube);
     const std::optional<Reading> reading = program.best();
     if (!reading) continue;
-    LabelledDrawing labelled = label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
+    LabelledDrawing labelled =
+        label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
     append(left_out(material, *reading), labelled.findings);
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     program.exclude(*reading, faulty_strokes(material, labelled.findings));

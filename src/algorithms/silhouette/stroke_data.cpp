@@ -10,10 +10,14 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr std::array<std::pair<StrokeKind, std::string_view>, 4> kinds{{{StrokeKind::Visible, "visible"},
+constexpr std::array<std::pair<StrokeKind, std::string_view>, 8> kinds{{{StrokeKind::Visible, "visible"},
                                                                         {StrokeKind::Hidden, "hidden"},
+                                                                        {StrokeKind::Contour, "contour"},
                                                                         {StrokeKind::Part, "part"},
-                                                                        {StrokeKind::Hole, "hole"}}};
+                                                                        {StrokeKind::Hole, "hole"},
+                                                                        {StrokeKind::Detail, "detail"},
+                                                                        {StrokeKind::Tube, "tube"},
+                                                                        {StrokeKind::Ignored, "ignored"}}};
 
 std::string_view without_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

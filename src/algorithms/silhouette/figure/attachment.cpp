@@ -71,11 +71,13 @@ std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
   std::vector<double> areas;
   for (Index object = 0; object < figure.objects.size(); ++object) areas.push_back(area_of(figure, object));
   for (const FigureOverlap& overlap : figure.overlaps) {
-    if (overlap.upper == overlap.lower || overlap.crossings.size() > 2) continue;
-    if (kept_apart(figure, over, areas, overlap)) continue;
+    const bool tube = figure.objects[overlap.upper].tube || figure.objects[overlap.lower].tube;
+    if (overlap.upper == overlap.lower || (overlap.crossings.size() > 2 && !tube)) continue;
+    if (!tube && kept_apart(figure, over, areas, overlap)) continue;
     const auto [a, b] = std::minmax(overlap.upper, overlap.lower);
-    const Hold hold = overlap.crossings.empty() || overlap.whole_outlines ? Hold::Resting : Hold::Joined;
-    if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold});
+    const bool rests = !tube && (overlap.crossings.empty() || overlap.whole_outlines);
+    const Hold hold = rests ? Hold::Resting : Hold::Joined;
+    if (known.emplace(a, b).second) suggestions.push_back({a, b, overlap.at, hold, tube});
   }
   return suggestions;
 }

@@ -89,10 +89,11 @@ class ConnectionSearch {
       const double bend = std::min(bend_reach * scale_.unit, chord_share / 2 * stroke.length);
       const double chord = std::min(chord_reach * scale_.unit, chord_share * stroke.length);
       for (const bool at_start : {true, false}) {
-        found_.ends.push_back({s,
-                               at_start,
-                               at_start ? stroke.points.front() : stroke.points.back(),
-                               {end_tangent(stroke.points, at_start, bend), end_chord(stroke.points, at_start, chord)}});
+        found_.ends.push_back(
+            {s,
+             at_start,
+             at_start ? stroke.points.front() : stroke.points.back(),
+             {end_tangent(stroke.points, at_start, bend), end_chord(stroke.points, at_start, chord)}});
       }
     }
   }
@@ -226,13 +227,14 @@ class ConnectionSearch {
     const double usual = reach(end.stroke, segment.line);
     const double most = farthest_miss * usual;
     const Vec2 direction = (segment.b - segment.a).normalized();
-    // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that is.
+    // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that
+    // is.
     const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
     const auto add = [&](double along, const Vec2& at, double more) {
       const double cost = costs::junction_miss * costs::miss(std::abs(along) / usual) + more;
       for (const int side : {1, -1}) {
-        meetings.push_back(
-            {0, segment.line, at, side, side * left_of(direction), along, cost + costs::against_heading * std::max(0.0, -side * heading_left)});
+        meetings.push_back({0, segment.line, at, side, side * left_of(direction), along,
+                            cost + costs::against_heading * std::max(0.0, -side * heading_left)});
       }
     };
     double walked = 0;
@@ -251,8 +253,7 @@ class ConnectionSearch {
       const double distance = most * crossing_fraction(end.place, ahead, segment.a, segment.b);
       add(distance, end.place + distance * outward, 0);
     }
-    const Vec2 nearest =
-        segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
+    const Vec2 nearest = segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
     const double distance = (nearest - end.place).norm();
     if (distance < usual) {
       add(distance, nearest, costs::beside);
@@ -264,8 +265,7 @@ class ConnectionSearch {
     const SampledStroke& bar = strokes_[meeting.bar];
     double cost = costs::junction + (meeting.bar == end.stroke ? costs::own_line : 0);
     if (!bar.closed) {
-      const double to_end =
-          std::min((meeting.at - bar.points.front()).norm(), (meeting.at - bar.points.back()).norm());
+      const double to_end = std::min((meeting.at - bar.points.front()).norm(), (meeting.at - bar.points.back()).norm());
       cost += costs::end_of_bar * std::max(0.0, 1 - to_end / reach(end.stroke, meeting.bar));
     }
     const bool blocked = meeting.along > 0 && is_blocked(end.place, meeting.at, end.stroke, meeting.bar);
@@ -305,7 +305,8 @@ class ConnectionSearch {
     for (const EndJoin& join : found_.joins) {
       if (is_plain(join)) plain[join.a] = plain[join.b] = 1;
     }
-    std::erase_if(found_.joins, [&](const EndJoin& join) { return (plain[join.a] || plain[join.b]) && !is_plain(join); });
+    std::erase_if(found_.joins,
+                  [&](const EndJoin& join) { return (plain[join.a] || plain[join.b]) && !is_plain(join); });
     std::erase_if(found_.meetings, [&](const EndMeeting& meeting) { return plain[meeting.end] != 0; });
   }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -10,8 +12,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include "croquis/geometry/planar_triangulation.h"
 
@@ -47,7 +47,7 @@ double scattered(std::uint64_t counter) {
 /// The samples of all lines, each place once.
 struct Ink {
   Points points;
-  std::vector<Index> stroke;                 ///< per point: the first on it
+  std::vector<Index> stroke;                  ///< per point: the first on it
   std::vector<std::vector<Index>> of_stroke;  ///< the points of each
   Eigen::AlignedBox2d box;
   double step = 1;
@@ -144,10 +144,10 @@ class Cut {
 
  private:
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
-  using VertexProperties = boost::property<
-      boost::vertex_color_t, boost::default_color_type,
-      boost::property<boost::vertex_distance_t, long,
-                      boost::property<boost::vertex_predecessor_t, Traits::edge_descriptor>>>;
+  using VertexProperties =
+      boost::property<boost::vertex_color_t, boost::default_color_type,
+                      boost::property<boost::vertex_distance_t, long,
+                                      boost::property<boost::vertex_predecessor_t, Traits::edge_descriptor>>>;
   using EdgeProperties =
       boost::property<boost::edge_capacity_t, double,
                       boost::property<boost::edge_residual_capacity_t, double,

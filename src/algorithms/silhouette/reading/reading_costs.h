@@ -15,49 +15,50 @@ inline double miss(double share) { return share < 1 ? share * share : 2 * share 
 inline double flattened(double cost) { return cost < 1 ? cost : 1 + 0.5 * std::log(cost); }
 
 // Ends that meet.
-inline constexpr double gap = 0.7;                 ///< times miss()
-inline constexpr double turn = 1.2;                ///< times 1 - cosine of the turn
-inline constexpr double turn_of_closing = 1.2;    ///< the same where a stroke closes itself: it may have a corner
-inline constexpr double line_between = 1.5;        ///< another line crosses the gap
-inline constexpr double line_at_gap = 1.5;         ///< each end that lies on a line, times the gap in what hands miss by
-inline constexpr double chance_meeting = 0.7;      ///< an end lies on a line when passing behind it would cost less
-inline constexpr double overshoot = 0.3;           ///< both run on beyond the place where they meet
+inline constexpr double gap = 0.7;              ///< times miss()
+inline constexpr double turn = 1.2;             ///< times 1 - cosine of the turn
+inline constexpr double turn_of_closing = 1.2;  ///< the same where a stroke closes itself: it may have a corner
+inline constexpr double line_between = 1.5;     ///< another line crosses the gap
+inline constexpr double line_at_gap = 1.5;      ///< each end that lies on a line, times the gap in what hands miss by
+inline constexpr double chance_meeting = 0.7;   ///< an end lies on a line when passing behind it would cost less
+inline constexpr double overshoot = 0.3;        ///< both run on beyond the place where they meet
 
 // Ends that pass behind a line.
-inline constexpr double junction = 0.15;           ///< each
-inline constexpr double junction_miss = 0.6;       ///< times miss()
-inline constexpr double beside = 0.3;              ///< the end points elsewhere: it only lies near the line
-inline constexpr double against_heading = 4;       ///< times the sine at which it heads out of the bar's surface
-inline constexpr double own_line = 0.3;            ///< a line that passes behind itself
-inline constexpr double end_of_bar = 1;            ///< times how near to the bar's own end it is met
-inline constexpr double line_before_bar = 1;       ///< another line lies between the end and the bar
+inline constexpr double junction = 0.15;      ///< each
+inline constexpr double junction_miss = 0.6;  ///< times miss()
+inline constexpr double beside = 0.3;         ///< the end points elsewhere: it only lies near the line
+inline constexpr double against_heading = 4;  ///< times the sine at which it heads out of the bar's surface
+inline constexpr double own_line = 0.3;       ///< a line that passes behind itself
+inline constexpr double end_of_bar = 1;       ///< times how near to the bar's own end it is met
+inline constexpr double line_before_bar = 1;  ///< another line lies between the end and the bar
 
 // Hidden pieces.
-inline constexpr double hidden = 0.25;             ///< times completion_cost, flattened
+inline constexpr double hidden = 0.25;               ///< times completion_cost, flattened
 inline constexpr double hidden_of_one_stroke = 1.6;  ///< completion_cost of a limb's cap, at most
 
 // Lines that cross in full view.
-inline constexpr double crossing = 0.5;            ///< each, of two contours
-inline constexpr int most_crossings = 4;           ///< of two contours; more don't count
-inline constexpr double own_crossing = 0.8;        ///< each, of a contour with itself
+inline constexpr double crossing = 0.5;      ///< each, of two contours
+inline constexpr int most_crossings = 4;     ///< of two contours; more don't count
+inline constexpr double own_crossing = 0.8;  ///< each, of a contour with itself
 inline constexpr int most_own_crossings = 20;
 
 // Kinds of strokes.
 inline constexpr double contour = 0.05;
 inline constexpr double detail = 3.5;
-inline constexpr double closed_detail = 2;         ///< more: a closed line is nearly always an outline
-inline constexpr double detail_outside = 6;        ///< times the share of it that lies outside everything
-inline constexpr double size = 3;                  ///< times twice its size in parts of the drawing's, at most
-inline constexpr double tube = 3.5;
-inline constexpr double tube_inside = 8;           ///< times the share of it that doesn't lie outside
+inline constexpr double closed_detail = 2;   ///< more: a closed line is nearly always an outline
+inline constexpr double detail_outside = 6;  ///< times the share of it that lies outside everything
+inline constexpr double size = 3;            ///< times twice its size in parts of the drawing's, at most
+inline constexpr double tube = 3;
+inline constexpr double tube_apart = 4;            ///< it hangs on nothing
+inline constexpr double tube_inside = 5;  ///< times the share of it that doesn't lie outside
 inline constexpr double ignored = 4.5;
-inline constexpr double ignored_length = 20;       ///< times its share of all lines' length
-inline constexpr double outline_left_out = 30;     ///< times the share of the drawing's outline that it makes
-inline constexpr double outline_as_tube = 9;       ///< the same of tubes
+inline constexpr double ignored_length = 20;    ///< times its share of all lines' length
+inline constexpr double outline_left_out = 30;  ///< times the share of the drawing's outline that it makes
+inline constexpr double outline_as_tube = 9;    ///< the same of tubes
 
 // An outline that regions enclose.
 inline constexpr double region = 12;
-inline constexpr double stroke_of_region = 2;      ///< each stroke that it consists of
-inline constexpr double rest_of_stroke = 2;        ///< times the share of the stroke that isn't on it
+inline constexpr double stroke_of_region = 2;  ///< each stroke that it consists of
+inline constexpr double rest_of_stroke = 2;    ///< times the share of the stroke that isn't on it
 
 }  // namespace croquis::silhouette::costs

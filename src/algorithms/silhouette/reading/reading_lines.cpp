@@ -128,13 +128,14 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
     const LineEnd& b = connections.ends[join.b];
     const double distance = (b.place - a.place).norm();
     if (a.stroke == b.stroke && distance < sampled.scale.close) continue;
-    result.findings.push_back(gap_warning(drawing, strokes[a.stroke].stroke, strokes[b.stroke].stroke,
-                                          (a.place + b.place) / 2, distance));
+    result.findings.push_back(
+        gap_warning(drawing, strokes[a.stroke].stroke, strokes[b.stroke].stroke, (a.place + b.place) / 2, distance));
   }
   std::vector<Index> line_of_stroke(strokes.size(), no_index);
   const std::vector<Chain> chains = ChainSearch(connections, reading).take();
   for (const Chain& chain : chains) {
-    for (const ChainLink& link : chain.strokes.links) line_of_stroke[link.index] = static_cast<Index>(result.lines.size());
+    for (const ChainLink& link : chain.strokes.links)
+      line_of_stroke[link.index] = static_cast<Index>(result.lines.size());
     result.lines.push_back(join_chain(chain.strokes, strokes, sampled.scale));
   }
   for (const Index region : reading.regions) result.lines.push_back(line_of(envelope.regions[region], strokes));

@@ -17,7 +17,8 @@ struct ContourLines {
   Findings findings;             ///< gaps closed
 };
 
-/// Joins the contours' strokes and the outlines of regions to lines, smooths them (Taubin 1995) and samples them evenly.
+/// Joins the contours' strokes and the outlines of regions to lines, smooths them (Taubin 1995) and samples them
+/// evenly.
 /// @param passes of smoothing
 ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled, const Connections& connections,
                            const Envelope& envelope, const Reading& reading, int passes, const Progress& progress);

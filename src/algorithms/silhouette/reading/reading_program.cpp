@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -24,6 +25,21 @@ constexpr double hopeless = 3;
 
 // A stroke lies on an outline that shares this much of its length.
 constexpr double least_shared = 0.04;
+
+/// Whether a stroke of which that is told may be taken for that.
+bool allowed(StrokeKind told, LineKind kind) {
+  switch (told) {
+    case StrokeKind::Visible:
+    case StrokeKind::Hidden: return true;
+    case StrokeKind::Contour: return kind == LineKind::Contour || kind == LineKind::Region;
+    case StrokeKind::Part:
+    case StrokeKind::Hole: return kind == LineKind::Contour;
+    case StrokeKind::Detail: return kind == LineKind::Detail;
+    case StrokeKind::Tube: return kind == LineKind::Tube;
+    case StrokeKind::Ignored: return kind == LineKind::Ignored;
+  }
+  return true;
+}
 
 double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0; }
 
@@ -47,9 +63,35 @@ ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const 
       crossings_[smaller] += costs::crossing * std::min(crossing.count, costs::most_crossings);
     }
   }
+  hanging_ = hanging_on_regions();
   add_strokes();
   add_regions();
   add_connections();
+}
+
+/// Per stroke: whether strokes that touch lead from it to a region.
+std::vector<char> ReadingProgram::hanging_on_regions() const {
+  std::vector<std::vector<Index>> touching(strokes_.size());
+  const auto touch = [&](Index a, Index b) {
+    touching[a].push_back(b);
+    touching[b].push_back(a);
+  };
+  for (const StrokeCrossing& crossing : connections_.crossings) touch(crossing.a, crossing.b);
+  for (const EndMeeting& meeting : connections_.meetings) touch(connections_.ends[meeting.end].stroke, meeting.bar);
+  for (const EndJoin& join : connections_.joins) {
+    if (join.gap < 1) touch(connections_.ends[join.a].stroke, connections_.ends[join.b].stroke);
+  }
+  std::vector<char> hanging(strokes_.size(), 0);
+  std::vector<Index> open;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    if (std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); })) open.push_back(s);
+  }
+  while (!open.empty()) {
+    const Index s = open.back();
+    open.pop_back();
+    if (std::exchange(hanging[s], 1) == 0) open.insert(open.end(), touching[s].begin(), touching[s].end());
+  }
+  return hanging;
 }
 
 bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
@@ -62,8 +104,7 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
   const double outside = envelope_.outside[stroke];
   const double size = share_in(line.size, extent_);
   switch (kind) {
-    case LineKind::Contour:
-      return costs::contour + crossings_[stroke];
+    case LineKind::Contour: return costs::contour + crossings_[stroke];
     case LineKind::Region: {
       double shared = 0;
       for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
@@ -74,7 +115,8 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
              (line.closed ? costs::closed_detail + 4 * size : 0) + costs::detail_outside * outside;
     case LineKind::Tube:
-      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + 2 * size;
+      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + 2 * size +
+             (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
     case LineKind::Ignored:
       return costs::ignored + costs::outline_left_out * seen +
              costs::ignored_length * share_in(line.length, total_length_);
@@ -124,14 +166,15 @@ void ReadingProgram::add_strokes() {
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
       const bool possible = kind == LineKind::Region ? on_any : kind != LineKind::Tube || !strokes_[s].closed;
-      kinds[k] = program_.add_variable(0, possible ? 1 : 0, cost(s, kind));
+      kinds[k] = program_.add_variable(0, possible && allowed(strokes_[s].told, kind) ? 1 : 0, cost(s, kind));
       one.push_back({kinds[k], 1});
     }
     program_.add_row(one, 1, 1);
     kind_.push_back(kinds);
     const int side = known_side(s);
     side_.push_back(program_.add_variable(side > 0 ? 1 : 0, side < 0 ? 0 : 1, 0));
-    if (least[s] > least_other_cost(s) + hopeless) program_.fix(variable(s, LineKind::Contour), 0);
+    const bool told = strokes_[s].told != StrokeKind::Visible;
+    if (!told && least[s] > least_other_cost(s) + hopeless) program_.fix(variable(s, LineKind::Contour), 0);
   }
 }
 
@@ -181,10 +224,9 @@ void ReadingProgram::add_connections() {
     meeting_.push_back(taken);
     visible[meeting.end].push_back({taken, 1});
     hidden[meeting.end].push_back({taken, -1});
-    program_.add_row({{taken, 1},
-                      {variable(meeting.bar, LineKind::Contour), -1},
-                      {variable(meeting.bar, LineKind::Region), -1}},
-                     -1, 0);
+    program_.add_row(
+        {{taken, 1}, {variable(meeting.bar, LineKind::Contour), -1}, {variable(meeting.bar, LineKind::Region), -1}}, -1,
+        0);
     const Index side = side_[meeting.bar];
     meeting.side > 0 ? program_.add_row({{taken, 1}, {side, -1}}, -1, 0)
                      : program_.add_row({{taken, 1}, {side, 1}}, 0, 1);
@@ -238,7 +280,8 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   }
   for (std::size_t i = 0; i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
-    const auto is_this = [&](const EndMeeting& other) { return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
+    const auto is_this = [&](const EndMeeting& other) {
+      return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
     };
     if (std::ranges::none_of(reading.meetings, is_this)) continue;
     if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) all.push_back({meeting_[i], 1});
@@ -247,8 +290,12 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   program_.add_row(std::move(all), 0, count - 1);
 }
 
+void ReadingProgram::forbid(LineKind kind) {
+  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, kind), 0);
+}
+
 void ReadingProgram::allow_regions_only() {
-  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, LineKind::Contour), 0);
+  forbid(LineKind::Contour);
   for (const Index region : region_) program_.fix(region, 1);
 }
 

@@ -22,10 +22,10 @@ enum class LineKind : std::uint8_t {
 
 /// What a drawing's strokes mean together.
 struct Reading {
-  std::vector<LineKind> kinds;        ///< per sampled stroke
-  std::vector<EndJoin> joins;         ///< of contours: each end is in one of these,
-  std::vector<EndMeeting> meetings;   ///< or in one of those
-  std::vector<Index> regions;         ///< positions in Envelope::regions
+  std::vector<LineKind> kinds;       ///< per sampled stroke
+  std::vector<EndJoin> joins;        ///< of contours: each end is in one of these,
+  std::vector<EndMeeting> meetings;  ///< or in one of those
+  std::vector<Index> regions;        ///< positions in Envelope::regions
   double cost = 0;
 };
 
@@ -51,12 +51,16 @@ class ReadingProgram {
   /// Only the outlines of regions may be contours.
   void allow_regions_only();
 
+  /// No stroke has that kind.
+  void forbid(LineKind kind);
+
   std::size_t region_count() const { return envelope_.regions.size(); }
 
  private:
   static constexpr std::size_t kind_count = 5;
 
   Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  std::vector<char> hanging_on_regions() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
   double cost(Index stroke, LineKind kind) const;
   int known_side(Index stroke) const;
@@ -70,9 +74,10 @@ class ReadingProgram {
   const std::vector<SampledStroke>& strokes_;
   const Connections& connections_;
   const Envelope& envelope_;
-  double extent_ = 1;        ///< size of the largest
+  double extent_ = 1;  ///< size of the largest
   double total_length_ = 1;
   std::vector<double> crossings_;  ///< per stroke: what they cost
+  std::vector<char> hanging_;      ///< per stroke
   IntegerProgram program_;
   std::vector<std::array<Index, kind_count>> kind_;
   std::vector<Index> side_, region_, join_, meeting_, hidden_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
+#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 
@@ -14,6 +15,7 @@ struct SampledStroke {
   Points raw;          ///< as drawn
   Index stroke = 0;    ///< index into Drawing::strokes
   std::string object;  ///< strokes of two named objects are never joined
+  StrokeKind told = StrokeKind::Visible;
   bool closed = false;
   double length = 0;
   double size = 0;  ///< see `size_of`

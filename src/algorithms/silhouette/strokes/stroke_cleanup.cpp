@@ -31,11 +31,10 @@ struct UsableStroke {
 };
 
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
-  const bool planned = kind == "tube";
   return make_error(Category::Geometry, "E_NOT_SUPPORTED",
-                    "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind + "\", which is " +
-                        (planned ? "not understood yet: draw the visible contours instead"
-                                 : R"(no kind of stroke: write "part", "hole", "hidden" or "visible")"),
+                    "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind +
+                        "\", which is no kind of stroke: write contour, part, hole, detail, tube, ignored, hidden or "
+                        "visible",
                     {stroke_subject(drawing, stroke)});
 }
 
@@ -185,6 +184,7 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
     SampledStroke one;
     one.stroke = stroke.stroke;
     one.object = drawing.strokes[stroke.stroke].object;
+    one.told = stroke_kind(drawing.strokes[stroke.stroke]).value_or(StrokeKind::Visible);
     one.closed = stroke.closed;
     one.raw = stroke.points;
     one.length = stroke.length;

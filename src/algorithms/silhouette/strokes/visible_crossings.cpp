@@ -37,8 +37,8 @@ struct Cover {
 
 class CrossingReader {
  public:
-  CrossingReader(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale)
-      : drawing_(drawing), lines_(lines), scale_(scale) {}
+  CrossingReader(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale, bool tubes_only)
+      : drawing_(drawing), lines_(lines), scale_(scale), tubes_only_(tubes_only) {}
 
   VisibleCrossings run(const Progress& progress) {
     const std::set<std::pair<Index, Index>> pairs = crossing_pairs();
@@ -54,7 +54,9 @@ class CrossingReader {
     }
     lines_ = std::move(cut);
     result.pairs = std::move(told_);
-    for (const CrossingInView& pair : result.pairs) result.findings.push_back(warning(pair));
+    for (const CrossingInView& pair : result.pairs) {
+      if (!pair.tube) result.findings.push_back(warning(pair));
+    }
     return result;
   }
 
@@ -90,6 +92,7 @@ class CrossingReader {
   }
 
   void read_pair(Index a, Index b) {
+    if (tubes_only_ && !lines_[a].tube && !lines_[b].tube) return;
     if (!lines_[a].closed && !lines_[b].closed) return;
     if (lines_[a].closed != lines_[b].closed) {
       const Index open = lines_[a].closed ? b : a;
@@ -177,7 +180,7 @@ class CrossingReader {
     const double turned = lines_[line].closed ? parameter - count * std::floor(parameter / count) : parameter;
     told_.push_back({last_stroke(cover.front), last_stroke(line),
                      point_at(lines_[line].points, std::min(turned, count)), cover.chosen,
-                     lines_[line].closed && lines_[cover.front].closed});
+                     lines_[line].closed && lines_[cover.front].closed, lines_[line].tube || lines_[cover.front].tube});
   }
 
   /// The union of covered runs. None for a line that is covered completely.
@@ -237,6 +240,7 @@ class CrossingReader {
   const Drawing& drawing_;
   std::vector<CleanLine>& lines_;
   const DrawingScale& scale_;
+  bool tubes_only_;
   std::vector<std::vector<Cover>> covers_;  ///< per line
   std::vector<std::vector<CutRun>> cuts_;   ///< per line
   std::vector<Index> ring_of_;              ///< per line, see holes_of_rings
@@ -245,9 +249,9 @@ class CrossingReader {
 
 }  // namespace
 
-VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
-                                       const DrawingScale& scale, const Progress& progress) {
-  return CrossingReader(drawing, lines, scale).run(progress);
+VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
+                                       bool tubes_only, const Progress& progress) {
+  return CrossingReader(drawing, lines, scale, tubes_only).run(progress);
 }
 
 }  // namespace croquis::silhouette

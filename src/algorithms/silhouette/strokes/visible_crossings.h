@@ -23,8 +23,9 @@ struct VisibleCrossings {
 /// Of two closed lines the one drawn later is in front, unless it is told to lie behind (stroke_data.h). A closed line
 /// covers an open one. Two open lines, and a line that crosses itself, stay as they are: nothing tells which part is in
 /// front.
+/// @param tubes_only other lines that cross stay as they are
 /// @param lines     ends that pass behind something lie on it; cut lines are replaced by their pieces
 VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
-                                       const DrawingScale& scale, const Progress& progress);
+                                       const DrawingScale& scale, bool tubes_only, const Progress& progress);
 
 }  // namespace croquis::silhouette
