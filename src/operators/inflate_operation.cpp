@@ -2,6 +2,7 @@
 #include "operators/inflate_operation.h"
 
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "croquis/geometry/affine3.h"
@@ -78,6 +79,17 @@ Options read_inflate_options(const ParameterValues& parameters) {
   return options;
 }
 
+PolyMesh polylines(const std::vector<silhouette::SurfaceLine>& lines) {
+  PolyMesh mesh;
+  for (const silhouette::SurfaceLine& line : lines) {
+    std::vector<Index> vertices(line.points.size());
+    std::iota(vertices.begin(), vertices.end(), static_cast<Index>(mesh.positions.size()));
+    mesh.positions.insert(mesh.positions.end(), line.points.begin(), line.points.end());
+    mesh.add_line(vertices);
+  }
+  return mesh;
+}
+
 /// Solids are made over the plane z = 0; nothing changes for drawings that lie there.
 Value on_plane(PolyMesh mesh, const DrawingPlane& plane) {
   if (!plane.is_default()) mesh = transformed(mesh, frame_of(plane));
@@ -95,6 +107,7 @@ OperationDescription InflateOperation::describe() const {
           {{"mesh", ValueType::Mesh, "The solids: closed, in the drawn order, free of self-intersection.", true},
            {"labels", ValueType::Drawing, "Every contour, hidden parts included, cut where contours cross."},
            {"skeleton", ValueType::Mesh, "The skeleton in space, as polylines."},
+           {"lines", ValueType::Mesh, "Drawn lines on the surface, as polylines."},
            {"details", ValueType::Report, "Counts and figures of every stage."}},
           inflate_parameters()};
 }
@@ -119,6 +132,7 @@ OperationResult InflateOperation::compute(const Values& inputs, const ParameterV
   result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled, details.arcs));
   result.details = std::move(details);
   result.outputs["skeleton"] = on_plane(std::move(solid.skeleton), drawing.plane);
+  result.outputs["lines"] = on_plane(polylines(solid.lines), drawing.plane);
   result.outputs["mesh"] = on_plane(std::move(solid.mesh), drawing.plane);
   return result;
 }

@@ -63,6 +63,7 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
         {drawing.strokes[pair.front].id, drawing.strokes[pair.behind].id, pair.at, pair.chosen});
   }
   result.attached = solid.attached;
+  for (Index s = 0; s < labelled.kinds.size(); ++s) result.kinds.emplace_back(drawing.strokes[s].id, labelled.kinds[s]);
   result.used = solid.used;
   result.diagnostics = solid.diagnostics;
 }
@@ -149,6 +150,12 @@ Report nested_list(const InflateResult& result) {
   return list;
 }
 
+Report kind_map(const InflateResult& result) {
+  Report::Object members;
+  for (const auto& [stroke, kind] : result.kinds) members.emplace_back(stroke, silhouette::to_string(kind));
+  return Report::of_members(std::move(members));
+}
+
 Report view_crossing_list(const InflateResult& result) {
   Report list = Report::array();
   for (const StrokesInView& pair : result.crossings_in_view) {
@@ -199,6 +206,7 @@ Report to_report(const InflateResult& result) {
   solver.set("iterations", result.diagnostics.solver_iterations).set("residual", result.diagnostics.solver_residual);
   Report details;
   details.set("strokes", result.strokes)
+      .set("kinds", kind_map(result))
       .set("used", result.used)
       .set("objects", object_list(result))
       .set("contours", result.contours)
@@ -233,7 +241,8 @@ std::size_t byte_size(const InflateResult& result) {
       result.shells.capacity() * sizeof(InflatedShell) +
       result.attached.capacity() * sizeof(silhouette::SolidAttachment) +
       result.suggested.capacity() * sizeof(SuggestedJoint) + result.nested.capacity() * sizeof(NestedStroke) +
-      result.crossings_in_view.capacity() * sizeof(StrokesInView);
+      result.crossings_in_view.capacity() * sizeof(StrokesInView) +
+      result.kinds.capacity() * sizeof(result.kinds.front());
   for (const ArcLabel& arc : result.arcs) bytes += arc.object.capacity();
   for (const InflatedObject& object : result.objects) bytes += object.name.capacity() + bytes_of(object.strokes);
   for (const StrandOverlap& overlap : result.overlaps) bytes += overlap.crossings.capacity() * sizeof(Vec2);

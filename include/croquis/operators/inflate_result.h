@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
 #include "croquis/silhouette/solid.h"
+#include "croquis/silhouette/stroke_data.h"
 
 /// What the operation `inflate` found in a drawing; its report is made of this. Places are those of Drawing, y up.
 namespace croquis {
@@ -65,6 +67,7 @@ struct ArcLabel {
 
 struct InflateResult {
   std::size_t strokes = 0;
+  std::vector<std::pair<std::string, silhouette::StrokeKind>> kinds;  ///< per stroke: its id, and what it was read as
   std::vector<InflatedObject> objects;
   std::size_t contours = 0;
   std::size_t completions = 0;         ///< hidden pieces that join stroke ends

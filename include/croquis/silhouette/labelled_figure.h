@@ -114,7 +114,7 @@ struct CrossingInView {
 
 struct LabelledDrawing {
   std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
-  std::vector<StrokeKind> kinds;        ///< per stroke of the drawing: Hidden, Contour, Detail, Tube or Ignored
+  std::vector<StrokeKind> kinds;        ///< per stroke of the drawing, none of them Visible
   std::vector<CrossingInView> crossings;
   Findings findings;  ///< warnings, and the errors of parts that could not
 };

@@ -40,6 +40,12 @@ struct SolidAttachment {
   Vec2 at = Vec2::Zero();  ///< where they overlap, sketch units
 };
 
+/// A drawn line on the surface, such as a mouth or a fold.
+struct SurfaceLine {
+  Index stroke = 0;  ///< index into Drawing::strokes; one stroke may give several lines
+  std::vector<Vec3> points;
+};
+
 struct SolidDiagnostics {
   std::size_t skeleton_vertices = 0;
   std::size_t collision_constraints = 0;
@@ -59,7 +65,8 @@ struct Solid {
   std::vector<SolidObject> objects;
   std::vector<SolidShell> shells;
   std::vector<SolidAttachment> attached;
-  double used = 1;  ///< 0.5..1, share by length of the strokes that it is made of; those drawn as hidden aren't counted
+  std::vector<SurfaceLine> lines;  ///< details
+  double used = 1;  ///< 0.5..1, share by length of the strokes that are in it; those drawn as hidden aren't counted
   SolidDiagnostics diagnostics;
   Findings findings;  ///< warnings, and the errors of parts that could not become solid
 };

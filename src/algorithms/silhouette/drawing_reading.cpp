@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
@@ -89,6 +90,12 @@ Finding crosses_itself(const Drawing& drawing, const CleanLine& line, const Vec2
                       {stroke_subject(drawing, line.strokes.front(), place), crossing_subject(drawing, place)});
 }
 
+double size_of_stroke(const Drawing& drawing, Index stroke) {
+  Points points;
+  for (const StrokeSample& sample : drawing.strokes[stroke].samples) points.push_back(sample.position);
+  return size_of(points, drawing.strokes[stroke].closed);
+}
+
 /// Everything that doesn't depend on the reading.
 struct Material {
   const Drawing& drawing;
@@ -97,6 +104,31 @@ struct Material {
   Connections connections;
   Envelope envelope;
 };
+
+/// Fur and hatching cross themselves again and again.
+bool is_scribble(const Material& material, Index stroke) {
+  constexpr int least_crossings = 6;
+  const StrokeKind told = material.sampled.strokes[stroke].told;
+  if (told == StrokeKind::Detail || told == StrokeKind::Scribble) return told == StrokeKind::Scribble;
+  const auto crosses_itself = [&](const StrokeCrossing& crossing) {
+    return crossing.a == stroke && crossing.b == stroke && crossing.count >= least_crossings;
+  };
+  return std::ranges::any_of(material.connections.crossings, crosses_itself);
+}
+
+/// Closed outlines within others.
+void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
+  constexpr double blob_share = 0.2;  // of the size of what it lies on
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const NestedOutline& nested : figure.nested) {
+      const bool small = size_of_stroke(drawing, nested.stroke) < blob_share * size_of_stroke(drawing, nested.around);
+      const StrokeKind part = small || stroke_kind(drawing.strokes[nested.stroke]) == StrokeKind::Blob
+                                  ? StrokeKind::Blob
+                                  : StrokeKind::Part;
+      labelled.kinds[nested.stroke] = nested.hole ? StrokeKind::Hole : part;
+    }
+  }
+}
 
 /// What was found of every stroke of the drawing.
 std::vector<StrokeKind> kinds_of(const Material& material, const Reading& reading) {
@@ -107,7 +139,7 @@ std::vector<StrokeKind> kinds_of(const Material& material, const Reading& readin
     switch (reading.kinds[s]) {
       case LineKind::Contour:
       case LineKind::Region: kind = StrokeKind::Contour; break;
-      case LineKind::Detail: kind = StrokeKind::Detail; break;
+      case LineKind::Detail: kind = is_scribble(material, s) ? StrokeKind::Scribble : StrokeKind::Detail; break;
       case LineKind::Tube: kind = StrokeKind::Tube; break;
       case LineKind::Ignored: kind = StrokeKind::Ignored; break;
     }
@@ -161,6 +193,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.tube; });
   result.kinds = kinds_of(material, reading);
   mark_tubes(result);
+  add_nested(drawing, result);
   mark_whole_outlines(result);
   append(std::move(crossed.findings), findings);
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
@@ -170,18 +203,21 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   return result;
 }
 
-/// The strokes that errors are about, as positions among the sampled ones.
-std::vector<Index> faulty_strokes(const Material& material, const Findings& findings) {
-  std::vector<Index> faulty;
-  for (Index s = 0; s < material.sampled.strokes.size(); ++s) {
-    const std::string& id = material.drawing.strokes[material.sampled.strokes[s].stroke].id;
-    const bool named = std::ranges::any_of(findings, [&](const Finding& finding) {
-      return finding.severity == Severity::Error && std::ranges::any_of(finding.subjects, [&](const Subject& subject) {
-               return subject.kind == SubjectKind::Stroke && subject.id == id;
-             });
-    });
-    if (named) faulty.push_back(s);
+/// Per error the strokes that it is about, as positions among the sampled ones; none stands for all.
+std::vector<std::vector<Index>> faulty_strokes(const Material& material, const Findings& findings) {
+  std::vector<std::vector<Index>> faulty;
+  for (const Finding& finding : findings) {
+    if (finding.severity != Severity::Error) continue;
+    faulty.emplace_back();
+    for (Index s = 0; s < material.sampled.strokes.size(); ++s) {
+      const std::string& id = material.drawing.strokes[material.sampled.strokes[s].stroke].id;
+      const bool named = std::ranges::any_of(finding.subjects, [&](const Subject& subject) {
+        return subject.kind == SubjectKind::Stroke && subject.id == id;
+      });
+      if (named) faulty.back().push_back(s);
+    }
   }
+  if (faulty.empty()) faulty.emplace_back();
   return faulty;
 }
 
@@ -207,6 +243,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
   std::optional<LabelledDrawing> first;
+  std::set<std::vector<Index>> failed;
   for (int tried = 0; tried < most_readings + 2; ++tried) {
     progress.check();
     if (tried == most_readings) program.allow_regions_only();
@@ -216,8 +253,12 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     LabelledDrawing labelled =
         label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
     append(left_out(material, *reading), labelled.findings);
+    if (getenv("CRQ")) { fprintf(stderr, "try %d:", tried); for (auto k : reading->kinds) fprintf(stderr, " %c", "CRDTI"[(int)k]); for (auto& f : labelled.findings) if (f.severity == Severity::Error) fprintf(stderr, " | %s %s", f.code.c_str(), f.message.c_str()); fprintf(stderr, "\n"); }
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
-    program.exclude(*reading, faulty_strokes(material, labelled.findings));
+    for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
+      // What fails again in the same way isn't saved by other connections.
+      program.exclude(*reading, strokes, failed.insert(strokes).second);
+    }
     if (!first) first = std::move(labelled);
   }
   if (first) return *std::move(first);

@@ -13,6 +13,7 @@
 #include "algorithms/silhouette/figure_solid.h"
 #include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/skeleton/object_weights.h"
+#include "algorithms/silhouette/surface_lines.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/silhouette/stroke_data.h"
@@ -36,12 +37,13 @@ struct DrawnUse {
   Index left_out = no_index;        ///< the largest outline where it is left out, else the longest stroke that is
 };
 
-DrawnUse use_of(const Drawing& drawing, const std::vector<SolidObject>& objects) {
+DrawnUse use_of(const Drawing& drawing, const Solid& solid) {
   constexpr double open_share = 0.5;  // of its length: an outline's ends are no farther apart
   std::vector<bool> used(drawing.strokes.size(), false);
-  for (const SolidObject& object : objects) {
+  for (const SolidObject& object : solid.objects) {
     for (const Index stroke : object.strokes) used[stroke] = true;
   }
+  for (const SurfaceLine& line : solid.lines) used[line.stroke] = true;
   double whole = 0, used_length = 0, longest = 0, most_area = 0;
   Index largest = no_index, longest_left = no_index;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
@@ -96,9 +98,10 @@ class SolidBuilder {
     solid_.findings.insert(solid_.findings.end(), findings.begin(), findings.end());
   }
 
-  /// @param labelling what was found before; told where there is no solid
-  Solid take(const Findings& labelling) {
-    const DrawnUse use = use_of(drawing_, solid_.objects);
+  Solid take(const LabelledDrawing& labelled) {
+    const Findings& labelling = labelled.findings;
+    add_lines(labelled);
+    const DrawnUse use = use_of(drawing_, solid_);
     if (solid_.objects.empty() || use.share < least_use || !use.has_largest_outline) {
       solid_.findings.insert(solid_.findings.begin(), labelling.begin(), labelling.end());
       if (!solid_.objects.empty()) {
@@ -124,6 +127,16 @@ class SolidBuilder {
     add_findings(part.findings);
     add_diagnostics(part.diagnostics);
     append_curves(part.skeleton, solid_.skeleton);
+  }
+
+  void add_lines(const LabelledDrawing& labelled) {
+    std::vector<Index> details;
+    double step = 0;
+    for (const LabelledFigure& figure : labelled.figures) step = std::max(step, figure.step);
+    for (Index s = 0; s < labelled.kinds.size(); ++s) {
+      if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) details.push_back(s);
+    }
+    solid_.lines = surface_lines(drawing_, details, solid_.mesh, step);
   }
 
   void add_attachments(const LabelledFigure& figure, const HeldObjects& held) {
@@ -238,7 +251,7 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
     Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
     builder.add(figure, settings[f], part);
   }
-  Solid solid = builder.take(labelled.findings);
+  Solid solid = builder.take(labelled);
   progress.report(1);
   return solid;
 }

@@ -10,12 +10,14 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr std::array<std::pair<StrokeKind, std::string_view>, 8> kinds{{{StrokeKind::Visible, "visible"},
+constexpr std::array<std::pair<StrokeKind, std::string_view>, 10> kinds{{{StrokeKind::Visible, "visible"},
                                                                         {StrokeKind::Hidden, "hidden"},
                                                                         {StrokeKind::Contour, "contour"},
                                                                         {StrokeKind::Part, "part"},
                                                                         {StrokeKind::Hole, "hole"},
+                                                                        {StrokeKind::Blob, "blob"},
                                                                         {StrokeKind::Detail, "detail"},
+                                                                        {StrokeKind::Scribble, "scribble"},
                                                                         {StrokeKind::Tube, "tube"},
                                                                         {StrokeKind::Ignored, "ignored"}}};
 

@@ -136,9 +136,9 @@ class Search {
       const Labelling labelling = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Full);
       if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
       if (labelling.status == IntegerProgram::Status::Optimal) {
-        LabelledFigure figure =
+        std::optional<LabelledFigure> figure =
             build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
-        figure.nested = nested_outlines(nested, trial.contours.paths);
+        if (figure) figure->nested = nested_outlines(nested, trial.contours.paths);
         return figure;
       }
       if (round == reshapings || !reshape(trial, sides, chosen)) return std::nullopt;

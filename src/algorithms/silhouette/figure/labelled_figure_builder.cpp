@@ -91,8 +91,8 @@ void add_objects(const Drawing& drawing, const ClosedContours& closed, const Pan
 
 }  // namespace
 
-LabelledFigure build_figure(const FigureContext& context, const ClosedContours& contours,
-                            const Arrangement& arrangement, Faces faces, const Labelling& labelling) {
+std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& contours,
+                                           const Arrangement& arrangement, Faces faces, const Labelling& labelling) {
   LabelledFigure figure;
   figure.unit = context.scale.unit;
   figure.step = context.scale.step;
@@ -106,7 +106,9 @@ LabelledFigure build_figure(const FigureContext& context, const ClosedContours& 
 
   const std::vector<int> layers = face_layers(faces, labelling.side);
   figure.panels = std::accumulate(layers.begin(), layers.end(), 0);
-  add_objects(context.drawing, contours, glue_panels(arrangement, faces, layers, labelling.depth), figure);
+  const Paneling paneling = glue_panels(arrangement, faces, layers, labelling.depth);
+  if (!paneling.sound) return std::nullopt;
+  add_objects(context.drawing, contours, paneling, figure);
   for (const Index face : faces.of_triangle) figure.layers.push_back(layers[face]);
   figure.faces = std::move(faces.of_triangle);
   figure.triangulation = std::move(faces.triangulation);

@@ -53,12 +53,14 @@ class Gluer {
       }
     }
     std::map<Index, Index> number;
-    result_.component_of_contour.assign(arrangement_.contours.size(), 0);
+    result_.component_of_contour.assign(arrangement_.contours.size(), no_index);
     for (Index arc = 0; arc < steps_.size(); ++arc) {
       const Index root = sets.root(panel(steps_[arc].more, steps_[arc].depth));
       const auto [entry, fresh] = number.try_emplace(root, result_.component_count);
       if (fresh) ++result_.component_count;
-      result_.component_of_contour[arrangement_.arcs[arc].contour] = entry->second;
+      Index& component = result_.component_of_contour[arrangement_.arcs[arc].contour];
+      if (component != no_index && component != entry->second) result_.sound = false;
+      component = entry->second;
     }
     for (Index p = 0; p < result_.first_panel.back(); ++p) result_.component.push_back(number.at(sets.root(p)));
   }

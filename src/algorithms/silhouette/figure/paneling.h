@@ -23,6 +23,7 @@ struct Paneling {
   std::vector<Index> component;    ///< per panel
   std::vector<Index> component_of_contour;
   Index component_count = 0;           ///< numbered by the first contour that bounds them
+  bool sound = true;                   ///< every contour bounds one component only
   std::vector<PanelOverlap> overlaps;  ///< by upper, lower component
 };
 

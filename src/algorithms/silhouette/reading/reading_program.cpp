@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/silhouette/reading/reading_costs.h"
+#include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -23,7 +24,7 @@ constexpr double sided_share = 0.5;
 // A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
 constexpr double hopeless = 3;
 
-// A stroke lies on an outline that shares this much of its length.
+// A stroke lies on an outline that shares this much of the length of the shorter one.
 constexpr double least_shared = 0.04;
 
 /// Whether a stroke of which that is told may be taken for that.
@@ -33,8 +34,10 @@ bool allowed(StrokeKind told, LineKind kind) {
     case StrokeKind::Hidden: return true;
     case StrokeKind::Contour: return kind == LineKind::Contour || kind == LineKind::Region;
     case StrokeKind::Part:
+    case StrokeKind::Blob:
     case StrokeKind::Hole: return kind == LineKind::Contour;
-    case StrokeKind::Detail: return kind == LineKind::Detail;
+    case StrokeKind::Detail:
+    case StrokeKind::Scribble: return kind == LineKind::Detail;
     case StrokeKind::Tube: return kind == LineKind::Tube;
     case StrokeKind::Ignored: return kind == LineKind::Ignored;
   }
@@ -95,7 +98,7 @@ std::vector<char> ReadingProgram::hanging_on_regions() const {
 }
 
 bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
-  return region.shared[stroke] > least_shared * strokes_[stroke].length;
+  return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
 }
 
 double ReadingProgram::cost(Index stroke, LineKind kind) const {
@@ -265,20 +268,20 @@ std::optional<Reading> ReadingProgram::best() const {
   return reading;
 }
 
-void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& strokes) {
+void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& strokes, bool connections) {
   const auto is_meant = [&](Index stroke) { return strokes.empty() || std::ranges::count(strokes, stroke) > 0; };
   const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
   std::vector<Term> all;
   for (Index s = 0; s < strokes_.size(); ++s) {
     if (is_meant(s)) all.push_back({variable(s, reading.kinds[s]), 1});
   }
-  for (std::size_t i = 0; i < join_.size(); ++i) {
+  for (std::size_t i = 0; connections && i < join_.size(); ++i) {
     const EndJoin& join = connections_.joins[i];
     const auto is_this = [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; };
     if (std::ranges::none_of(reading.joins, is_this)) continue;
     if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) all.push_back({join_[i], 1});
   }
-  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+  for (std::size_t i = 0; connections && i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
     const auto is_this = [&](const EndMeeting& other) {
       return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;

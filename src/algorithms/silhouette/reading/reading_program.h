@@ -45,8 +45,9 @@ class ReadingProgram {
   std::optional<Reading> best() const;
 
   /// Of what a reading says of these strokes something must change.
-  /// @param strokes positions; all when empty
-  void exclude(const Reading& reading, const std::vector<Index>& strokes);
+  /// @param strokes     positions; all when empty
+  /// @param connections may change, else one of the strokes must get another kind
+  void exclude(const Reading& reading, const std::vector<Index>& strokes, bool connections);
 
   /// Only the outlines of regions may be contours.
   void allow_regions_only();

@@ -70,7 +70,8 @@ bool is_hole_of_ring(const Points& inner, const Points& outer, std::size_t thing
 std::optional<bool> told_hole(const Drawing& drawing, const std::vector<Index>& strokes) {
   for (const Index stroke : strokes) {
     const StrokeKind kind = stroke_kind(drawing.strokes[stroke]).value_or(StrokeKind::Visible);
-    if (kind == StrokeKind::Hole || kind == StrokeKind::Part) return kind == StrokeKind::Hole;
+    const bool told = kind == StrokeKind::Hole || kind == StrokeKind::Part || kind == StrokeKind::Blob;
+    if (told) return kind == StrokeKind::Hole;
   }
   return std::nullopt;
 }

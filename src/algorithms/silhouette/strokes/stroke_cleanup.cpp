@@ -33,8 +33,8 @@ struct UsableStroke {
 Finding unsupported_kind(const Drawing& drawing, Index stroke, const std::string& kind) {
   return make_error(Category::Geometry, "E_NOT_SUPPORTED",
                     "The stroke " + in_quotes(drawing, stroke) + " is marked as \"" + kind +
-                        "\", which is no kind of stroke: write contour, part, hole, detail, tube, ignored, hidden or "
-                        "visible",
+                        "\", which is no kind of stroke: write contour, part, hole, blob, detail, scribble, tube, "
+                        "ignored, hidden or visible",
                     {stroke_subject(drawing, stroke)});
 }
 

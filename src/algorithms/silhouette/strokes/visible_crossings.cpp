@@ -143,6 +143,7 @@ class CrossingReader {
 
   /// How far two lines may come beyond one another without being meant to cross.
   double tremble_between(const CleanLine& a, const CleanLine& b) const {
+    if (a.tube || b.tube) return 0;  // a limb's round end may cover little
     return std::max(crossing_tremble * scale_.unit, unsteady_share * scale_.tremble * std::min(a.size, b.size));
   }
 

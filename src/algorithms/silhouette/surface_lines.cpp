@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/surface_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "algorithms/silhouette/strokes/polyline.h"
+#include "croquis/geometry/polyline.h"
+
+namespace croquis::silhouette {
+namespace {
+
+// Neighbouring points of a line may differ in depth by so many times their distance in the drawing; where they differ
+// by more, the line goes over the edge of what lies in front.
+constexpr double steepest = 8;
+
+/// The foremost surface over each place of the drawing.
+class FrontSurface {
+ public:
+  FrontSurface(const PolyMesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const auto corners = mesh.face(f);
+      Vec2 low = xy(corners[0]), high = low;
+      for (const Index v : corners) {
+        low = low.cwiseMin(xy(v));
+        high = high.cwiseMax(xy(v));
+      }
+      const auto [left, bottom] = cell_of(low);
+      const auto [right, top] = cell_of(high);
+      for (long x = left; x <= right; ++x) {
+        for (long y = bottom; y <= top; ++y) faces_[{x, y}].push_back(f);
+      }
+    }
+  }
+
+  std::optional<double> height(const Vec2& place) const {
+    const auto faces = faces_.find(cell_of(place));
+    if (faces == faces_.end()) return std::nullopt;
+    std::optional<double> highest;
+    for (const Index f : faces->second) {
+      const auto corners = mesh_.face(f);
+      const Vec2 a = xy(corners[0]), b = xy(corners[1]), c = xy(corners[2]);
+      const double area = cross(b - a, c - a);
+      if (area <= 0) continue;  // it faces away
+      const double at_b = cross(place - a, c - a) / area, at_c = cross(b - a, place - a) / area;
+      if (at_b < 0 || at_c < 0 || at_b + at_c > 1) continue;
+      const double z = (1 - at_b - at_c) * z_of(corners[0]) + at_b * z_of(corners[1]) + at_c * z_of(corners[2]);
+      highest = std::max(highest.value_or(z), z);
+    }
+    return highest;
+  }
+
+ private:
+  Vec2 xy(Index vertex) const { return mesh_.positions[vertex].head<2>(); }
+  double z_of(Index vertex) const { return mesh_.positions[vertex].z(); }
+  std::pair<long, long> cell_of(const Vec2& place) const {
+    return {std::lround(place.x() / cell_), std::lround(place.y() / cell_)};
+  }
+
+  const PolyMesh& mesh_;
+  double cell_;
+  std::map<std::pair<long, long>, std::vector<Index>> faces_;
+};
+
+}  // namespace
+
+std::vector<SurfaceLine> surface_lines(const Drawing& drawing, const std::vector<Index>& strokes, const PolyMesh& mesh,
+                                       double step) {
+  std::vector<SurfaceLine> lines;
+  if (strokes.empty()) return lines;
+  const FrontSurface surface(mesh, 2 * step);
+  for (const Index s : strokes) {
+    const Stroke& stroke = drawing.strokes[s];
+    Points points;
+    for (const StrokeSample& sample : stroke.samples) {
+      if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
+    }
+    std::vector<double> parameters = even_parameters(points, stroke.closed, step);
+    if (stroke.closed) parameters.push_back(parameters.front());
+    SurfaceLine line{s, {}};
+    const auto finish = [&] {
+      if (line.points.size() > 1) lines.push_back(line);
+      line.points.clear();
+    };
+    for (const double parameter : parameters) {
+      const Vec2 place = point_at(points, parameter);
+      const std::optional<double> z = surface.height(place);
+      if (z && !line.points.empty()) {
+        const Vec3 way = Vec3(place.x(), place.y(), *z) - line.points.back();
+        if (std::abs(way.z()) > steepest * std::max(step, way.head<2>().norm())) finish();
+      }
+      if (z) {
+        line.points.emplace_back(place.x(), place.y(), *z);
+      } else {
+        finish();
+      }
+    }
+    finish();
+  }
+  return lines;
+}
+
+}  // namespace croquis::silhouette
