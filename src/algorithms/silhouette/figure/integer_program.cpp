@@ -39,6 +39,7 @@ struct PlainProblem {
   int outcome = -1;            ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
   bool has_values = false;
   bool out_of_memory = false;  ///< why it failed
+  int nodes = 0;               ///< looked at
 };
 
 int bound_type(double lower, double upper) {
@@ -95,6 +96,7 @@ int run(glp_prob* problem, PlainProblem& plain, NodeCount& nodes) {
   branching.cb_func = count_node;
   branching.cb_info = &nodes;
   const int code = glp_intopt(problem, &branching);
+  plain.nodes = nodes.nodes;
   const bool stopped = nodes.reached || code == GLP_ESTOP;
   if (code != 0 && code != GLP_EMIPGAP && !stopped) return 3;
   const int status = glp_mip_status(problem);
@@ -201,7 +203,8 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) co
                      values.data(),
                      -1,
                      false,
-                     false};
+                     false,
+                     0};
   std::thread(solve_plain, std::ref(plain)).join();
   if (plain.outcome == 3 && plain.out_of_memory) throw std::bad_alloc();
   if (plain.outcome == 3) {
@@ -209,6 +212,7 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) co
         make_error(Category::Internal, "E_INTERNAL", "The integer program of the labelling was refused by GLPK"));
   }
   solution.status = plain.outcome == 0 ? Status::Optimal : plain.outcome == 1 ? Status::Infeasible : Status::Limit;
+  solution.nodes = plain.nodes;
   if (!plain.has_values) return solution;
   for (std::size_t j = 1; j < values.size(); ++j) solution.values.push_back(static_cast<int>(std::lround(values[j])));
   return solution;

@@ -32,6 +32,7 @@ class IntegerProgram {
   struct Solution {
     Status status = Status::Infeasible;
     std::vector<int> values;  ///< of Limit: the best known, or empty
+    int nodes = 0;            ///< branches looked at
   };
 
   /// Branch and bound by GLPK, in a thread of its own: GLPK's environment belongs to the thread, so it can be thrown

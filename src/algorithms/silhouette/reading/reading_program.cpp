@@ -16,8 +16,11 @@ namespace {
 
 using Term = IntegerProgram::Term;
 
-// Bounds of the search for one reading: branches, and how much better than it another one may be.
-constexpr int maximum_reading_nodes = 400;
+// Bounds of the search for one reading: branches, and how much better than it another one may be. The first reading
+// gets all that it needs of the branches for all of them; the last resort needs hardly any.
+constexpr int maximum_reading_nodes = 300;
+constexpr int maximum_nodes = 600;
+constexpr int least_nodes = 20;
 constexpr double reading_gap = 0.01;
 // A stroke bounds the region on one side of it when it does so over this share of its length.
 constexpr double sided_share = 0.5;
@@ -247,8 +250,10 @@ void ReadingProgram::add_connections() {
   }
 }
 
-std::optional<Reading> ReadingProgram::best() const {
-  const IntegerProgram::Solution solution = program_.solve(maximum_reading_nodes, reading_gap);
+std::optional<Reading> ReadingProgram::best() {
+  const int nodes = std::clamp(maximum_nodes - nodes_, least_nodes, maximum_reading_nodes);
+  const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap);
+  nodes_ += solution.nodes;
   if (solution.values.empty()) return std::nullopt;
   const auto taken = [&](Index variable) { return solution.values[variable] != 0; };
   Reading reading;

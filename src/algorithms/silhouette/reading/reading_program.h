@@ -42,7 +42,7 @@ class ReadingProgram {
   ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections, const Envelope& envelope);
 
   /// The best reading that isn't excluded; none when there is no other, or the search for it is bounded.
-  std::optional<Reading> best() const;
+  std::optional<Reading> best();
 
   /// Of what a reading says of these strokes something must change.
   /// @param strokes     positions; all when empty
@@ -80,6 +80,7 @@ class ReadingProgram {
   std::vector<double> crossings_;  ///< per stroke: what they cost
   std::vector<char> hanging_;      ///< per stroke
   IntegerProgram program_;
+  int nodes_ = 0;  ///< looked at by all searches
   std::vector<std::array<Index, kind_count>> kind_;
   std::vector<Index> side_, region_, join_, meeting_, hidden_;
 };
