@@ -13,16 +13,16 @@ namespace croquis::silhouette {
 
 /// The attribute "kind".
 enum class StrokeKind {
-  Visible,  ///< "visible", or not given: its meaning is found
-  Hidden,   ///< "hidden": a piece of contour behind something, used instead of one that is found
-  Contour,  ///< "contour": it bounds a surface
-  Part,     ///< "part": a closed outline within another one bounds a part in front
-  Hole,     ///< "hole": it bounds a hole
-  Blob,     ///< "blob": it bounds a small part on another one, such as an eye or a button
-  Detail,   ///< "detail": a line on the surface, such as a mouth or a fold
-  Scribble, ///< "scribble": many of them drawn in one go, such as fur
-  Tube,     ///< "tube": a limb of one line, such as a leg, a tail or an arm
-  Ignored   ///< "ignored": no part of the drawing, such as a letter
+  Visible,   ///< "visible", or not given: its meaning is found
+  Hidden,    ///< "hidden": a piece of contour behind something, used instead of one that is found
+  Contour,   ///< "contour": it bounds a surface
+  Part,      ///< "part": a closed outline within another one bounds a part in front
+  Hole,      ///< "hole": it bounds a hole
+  Blob,      ///< "blob": it bounds a small part on another one, such as an eye or a button
+  Detail,    ///< "detail": a line on the surface, such as a mouth or a fold
+  Scribble,  ///< "scribble": many of them drawn in one go, such as fur
+  Tube,      ///< "tube": a limb of one line, such as a leg, a tail or an arm
+  Ignored    ///< "ignored": no part of the drawing, such as a letter
 };
 
 inline constexpr const char* kind_key = "kind";

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <iterator>
 #include <set>
-#include <chrono>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
@@ -249,16 +248,11 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     progress.check();
     if (tried == most_readings) program.allow_regions_only();
     if (tried == most_readings + 1) program.forbid(LineKind::Tube);
-    auto t0 = std::chrono::steady_clock::now();
     const std::optional<Reading> reading = program.best();
-    if (getenv("CRQ")) fprintf(stderr, "solve %.0f ms ", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t0).count());
-    t0 = std::chrono::steady_clock::now();
     if (!reading) continue;
     LabelledDrawing labelled =
         label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
-    if (getenv("CRQ")) fprintf(stderr, "label %.0f ms ", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t0).count());
     append(left_out(material, *reading), labelled.findings);
-    if (getenv("CRQ")) { fprintf(stderr, "try %d:", tried); for (auto k : reading->kinds) fprintf(stderr, " %c", "CRDTI"[(int)k]); for (auto& f : labelled.findings) if (f.severity == Severity::Error) fprintf(stderr, " | %s %s", f.code.c_str(), f.message.c_str()); fprintf(stderr, "\n"); }
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
       // What fails again in the same way isn't saved by other connections.

@@ -33,18 +33,19 @@ constexpr double least_use = 0.5;
 /// How much of a drawing a solid is made of. Lines that are drawn as hidden aren't counted.
 struct DrawnUse {
   double share = 1;                 ///< by length
-  bool has_largest_outline = true;  ///< the stroke that encloses most
-  Index left_out = no_index;        ///< the largest outline where it is left out, else the longest stroke that is
+  bool has_largest_outline = true;  ///< no stroke that is left out encloses more than any outline of the solid
+  Index left_out = no_index;        ///< that stroke, else the longest one
 };
 
-DrawnUse use_of(const Drawing& drawing, const Solid& solid) {
+/// @param largest_area that an outline of the solid encloses
+DrawnUse use_of(const Drawing& drawing, const Solid& solid, double largest_area) {
   constexpr double open_share = 0.5;  // of its length: an outline's ends are no farther apart
   std::vector<bool> used(drawing.strokes.size(), false);
   for (const SolidObject& object : solid.objects) {
     for (const Index stroke : object.strokes) used[stroke] = true;
   }
   for (const SurfaceLine& line : solid.lines) used[line.stroke] = true;
-  double whole = 0, used_length = 0, longest = 0, most_area = 0;
+  double whole = 0, used_length = 0, longest = 0, most_area = largest_area;
   Index largest = no_index, longest_left = no_index;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
     const Stroke& stroke = drawing.strokes[s];
@@ -52,12 +53,12 @@ DrawnUse use_of(const Drawing& drawing, const Solid& solid) {
     const std::vector<Vec2> points = sample_places(stroke);
     const double own = length(points, stroke.closed), area = std::abs(signed_area(points));
     const bool encloses = stroke.closed || (points.back() - points.front()).norm() < open_share * own;
-    if (encloses && area > most_area) std::tie(largest, most_area) = std::pair(s, area);
+    if (!used[s] && encloses && area > most_area) std::tie(largest, most_area) = std::pair(s, area);
     whole += own;
     if (used[s]) used_length += own;
     if (!used[s] && own > longest) std::tie(longest_left, longest) = std::pair(s, own);
   }
-  const bool has_largest = largest == no_index || used[largest];
+  const bool has_largest = largest == no_index;
   return {whole > 0 ? used_length / whole : 1, has_largest, has_largest ? longest_left : largest};
 }
 
@@ -101,7 +102,7 @@ class SolidBuilder {
   Solid take(const LabelledDrawing& labelled) {
     const Findings& labelling = labelled.findings;
     add_lines(labelled);
-    const DrawnUse use = use_of(drawing_, solid_);
+    const DrawnUse use = use_of(drawing_, solid_, largest_area_);
     if (solid_.objects.empty() || use.share < least_use || !use.has_largest_outline) {
       solid_.findings.insert(solid_.findings.begin(), labelling.begin(), labelling.end());
       if (!solid_.objects.empty()) {
@@ -172,6 +173,9 @@ class SolidBuilder {
       number[o] = static_cast<std::int32_t>(channel.labels.size());
       channel.labels.push_back(object.name);
       made.objects.push_back(static_cast<Index>(solid_.objects.size()));
+      for (const Index c : object.contours) {
+        largest_area_ = std::max(largest_area_, std::abs(signed_area(figure.raw_contours[c])));
+      }
       // Counted and found to be this, see certify_topology.
       solid_.objects.push_back(
           {object.name, object.strokes, object.euler_region, 2 * object.euler_region, settings.thickness_of(o)});
@@ -206,6 +210,7 @@ class SolidBuilder {
 
   const Drawing& drawing_;
   Solid solid_;
+  double largest_area_ = 0;  ///< that an outline of it encloses
   Overlap overlap_;
 };
 

@@ -11,15 +11,15 @@ namespace croquis::silhouette {
 namespace {
 
 constexpr std::array<std::pair<StrokeKind, std::string_view>, 10> kinds{{{StrokeKind::Visible, "visible"},
-                                                                        {StrokeKind::Hidden, "hidden"},
-                                                                        {StrokeKind::Contour, "contour"},
-                                                                        {StrokeKind::Part, "part"},
-                                                                        {StrokeKind::Hole, "hole"},
-                                                                        {StrokeKind::Blob, "blob"},
-                                                                        {StrokeKind::Detail, "detail"},
-                                                                        {StrokeKind::Scribble, "scribble"},
-                                                                        {StrokeKind::Tube, "tube"},
-                                                                        {StrokeKind::Ignored, "ignored"}}};
+                                                                         {StrokeKind::Hidden, "hidden"},
+                                                                         {StrokeKind::Contour, "contour"},
+                                                                         {StrokeKind::Part, "part"},
+                                                                         {StrokeKind::Hole, "hole"},
+                                                                         {StrokeKind::Blob, "blob"},
+                                                                         {StrokeKind::Detail, "detail"},
+                                                                         {StrokeKind::Scribble, "scribble"},
+                                                                         {StrokeKind::Tube, "tube"},
+                                                                         {StrokeKind::Ignored, "ignored"}}};
 
 std::string_view without_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

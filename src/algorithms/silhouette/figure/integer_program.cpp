@@ -35,8 +35,8 @@ struct PlainProblem {
   const double* cost = nullptr;
   int maximum_nodes = 0;
   double gap = 0;
-  double* values = nullptr;    ///< result
-  int outcome = -1;            ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
+  double* values = nullptr;  ///< result
+  int outcome = -1;          ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
   bool has_values = false;
   bool out_of_memory = false;  ///< why it failed
   int nodes = 0;               ///< looked at

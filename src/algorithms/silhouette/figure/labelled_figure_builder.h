@@ -12,6 +12,6 @@ namespace croquis::silhouette {
 
 /// Puts the labelled figure together: contours, arcs and crossings as labelled, panels glued to objects.
 std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& contours,
-                            const Arrangement& arrangement, Faces faces, const Labelling& labelling);
+                                           const Arrangement& arrangement, Faces faces, const Labelling& labelling);
 
 }  // namespace croquis::silhouette

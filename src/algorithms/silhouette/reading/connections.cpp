@@ -40,6 +40,7 @@ constexpr double plain_cost = 0.15;
 constexpr double plain_margin = 0.6;
 // Hidden pieces are candidates up to this length, in typical distances of ends, and so many of them for an end.
 constexpr double longest_hidden = 40;
+constexpr double shortest_hidden = 0.1;  // u
 constexpr std::size_t most_hidden = 7;
 
 class ConnectionSearch {
@@ -323,7 +324,8 @@ class ConnectionSearch {
     std::map<Index, std::vector<std::pair<double, Index>>> of_end;
     for (const auto& [a, from] : likeliest) {
       for (const auto& [b, to] : likeliest) {
-        if (b <= a || (to->at - from->at).norm() > longest_hidden * reference) continue;
+        const double distance = (to->at - from->at).norm();
+        if (b <= a || distance > longest_hidden * reference || distance < shortest_hidden * scale_.unit) continue;
         const double cost = hidden_cost(found_.ends[a], *from, found_.ends[b], *to, reference);
         all[{a, b}] = cost;
         of_end[a].emplace_back(cost, b);

@@ -44,12 +44,14 @@ inline constexpr int most_own_crossings = 20;
 
 // Kinds of strokes.
 inline constexpr double contour = 0.05;
+inline constexpr double thin_outline = 8;   ///< a closed line that encloses hardly anything, times how little
+inline constexpr double thin_width = 0.01;  ///< in parts of the drawing's size: what isn't thin any more
 inline constexpr double detail = 3.5;
 inline constexpr double closed_detail = 2;   ///< more: a closed line is nearly always an outline
 inline constexpr double detail_outside = 6;  ///< times the share of it that lies outside everything
 inline constexpr double size = 3;            ///< times twice its size in parts of the drawing's, at most
 inline constexpr double tube = 3;
-inline constexpr double tube_apart = 4;            ///< it hangs on nothing
+inline constexpr double tube_apart = 4;   ///< it hangs on nothing
 inline constexpr double tube_inside = 5;  ///< times the share of it that doesn't lie outside
 inline constexpr double ignored = 4.5;
 inline constexpr double ignored_length = 20;    ///< times its share of all lines' length

@@ -90,7 +90,8 @@ std::vector<char> ReadingProgram::hanging_on_regions() const {
   std::vector<char> hanging(strokes_.size(), 0);
   std::vector<Index> open;
   for (Index s = 0; s < strokes_.size(); ++s) {
-    if (std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); })) open.push_back(s);
+    if (std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); }))
+      open.push_back(s);
   }
   while (!open.empty()) {
     const Index s = open.back();
@@ -104,13 +105,20 @@ bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
   return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
 }
 
+/// Of a stroke that is a whole outline: what it costs that it encloses little.
+double ReadingProgram::thinness_cost(Index stroke) const {
+  const SampledStroke& line = strokes_[stroke];
+  const double width = 2 * std::abs(signed_area(line.points)) / line.length;
+  return costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_));
+}
+
 double ReadingProgram::cost(Index stroke, LineKind kind) const {
   const SampledStroke& line = strokes_[stroke];
   const double seen = envelope_.seen[stroke];
   const double outside = envelope_.outside[stroke];
   const double size = share_in(line.size, extent_);
   switch (kind) {
-    case LineKind::Contour: return costs::contour + crossings_[stroke];
+    case LineKind::Contour: return costs::contour + crossings_[stroke] + (line.closed ? thinness_cost(stroke) : 0);
     case LineKind::Region: {
       double shared = 0;
       for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
@@ -219,7 +227,9 @@ void ReadingProgram::add_connections() {
   for (const LineEnd& end : connections_.ends) visible.push_back({{variable(end.stroke, LineKind::Contour), -1}});
   hidden.resize(connections_.ends.size());
   for (const EndJoin& join : connections_.joins) {
-    const Index taken = program_.add_variable(0, 1, join.cost);
+    const Index stroke = connections_.ends[join.a].stroke;
+    const bool closes = connections_.ends[join.b].stroke == stroke;
+    const Index taken = program_.add_variable(0, 1, join.cost + (closes ? thinness_cost(stroke) : 0));
     join_.push_back(taken);
     visible[join.a].push_back({taken, 1});
     visible[join.b].push_back({taken, 1});

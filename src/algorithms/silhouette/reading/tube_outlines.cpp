@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -21,14 +23,20 @@ constexpr double slenderness = 0.3;
 // So far (in widths) they go on within what they grow out of; an end that misses it by less than that is led there.
 constexpr double depth_within = 1;
 constexpr double farthest_miss = 1.5;
-// Points of a circle in the round ends.
-constexpr int circle_points = 24;
+// Where they run beside a contour, more than so many widths from where they grow out of it, they are thin enough to
+// keep that share of their distance from it, but not thinner than that share of their width.
+constexpr double root_length = 1.5;
+constexpr double distance_share = 0.7;
+constexpr double thinnest = 0.3;
+// Places along a limb are this share of its width apart; its round ends have so many corners.
+constexpr double place_share = 0.4;
+constexpr int circle_points = 20;
 
 /// A stretch of a stroke that becomes a limb.
 struct Limb {
   Points line;
-  Index stroke = 0;  ///< index into Drawing::strokes
-  double width = 1;
+  std::vector<double> radius;  ///< per point
+  Index stroke = 0;            ///< index into Drawing::strokes
 };
 
 bool is_inside(const Vec2& place, const std::vector<CleanLine>& contours) {
@@ -59,24 +67,24 @@ class LimbSearch {
     usual_width_ = width_share * box.diagonal().norm();
   }
 
+  /// The stretches of a stroke outside everything, and a bit of it within at both ends.
   void add(const SampledStroke& stroke) {
     const double width = std::min(usual_width_, slenderness * stroke.length);
-    const Points& points = stroke.points;
+    Points points;
+    for (const double at : even_parameters(stroke.points, stroke.closed, place_share * width)) {
+      points.push_back(point_at(stroke.points, at));
+    }
     std::vector<bool> inside;
     for (const Vec2& point : points) inside.push_back(is_inside(point, contours_));
-    const double spacing = stroke.length / static_cast<double>(points.size() - 1);
-    const auto more = static_cast<std::size_t>(depth_within * width / spacing) + 1;
+    const auto more = static_cast<std::size_t>(depth_within / place_share) + 1;
     for (std::size_t begin = 0; begin < points.size();) {
       std::size_t end = begin;
       while (end < points.size() && inside[end] == inside[begin]) ++end;
-      const bool is_limb = !inside[begin] && static_cast<double>(end - begin) * spacing > width / 2;
-      if (is_limb) {
+      if (!inside[begin] && end - begin > 1) {
         const std::size_t first = begin - std::min(begin, more), last = std::min(points.size(), end + more);
-        Limb limb{Points(points.begin() + static_cast<std::ptrdiff_t>(first),
-                         points.begin() + static_cast<std::ptrdiff_t>(last)),
-                  stroke.stroke, width};
-        lead_in(limb, first<begin, last> end);
-        limbs_.push_back(std::move(limb));
+        add(Points(points.begin() + static_cast<std::ptrdiff_t>(first),
+                   points.begin() + static_cast<std::ptrdiff_t>(last)),
+            first<begin, last> end, width, stroke.stroke);
       }
       begin = end;
     }
@@ -85,16 +93,27 @@ class LimbSearch {
   std::vector<Limb> take() { return std::move(limbs_); }
 
  private:
-  /// Ends that nearly reach something are led into it.
-  void lead_in(Limb& limb, bool starts_within, bool ends_within) const {
-    const auto led = [&](const Vec2& end) {
+  void add(Points line, bool starts_within, bool ends_within, double width, Index stroke) {
+    // Ends that nearly reach something are led into it.
+    const auto led = [&](const Vec2& end, bool& within) {
       const Vec2 place = nearest_on(contours_, end);
       const double miss = (place - end).norm();
-      if (miss == 0 || miss > farthest_miss * limb.width) return end;
-      return Vec2(place + depth_within * limb.width / miss * (place - end));
+      if (miss == 0 || miss > farthest_miss * width) return end;
+      within = true;
+      return Vec2(place + depth_within * width / miss * (place - end));
     };
-    if (!starts_within) limb.line.insert(limb.line.begin(), led(limb.line.front()));
-    if (!ends_within) limb.line.push_back(led(limb.line.back()));
+    if (!starts_within) line.insert(line.begin(), led(line.front(), starts_within));
+    if (!ends_within) line.push_back(led(line.back(), ends_within));
+    const std::vector<double> arcs = arc_lengths(line, false);
+    Limb limb{std::move(line), {}, stroke};
+    for (std::size_t i = 0; i < limb.line.size(); ++i) {
+      const double root = (depth_within + root_length) * width;
+      const bool at_root = (starts_within && arcs[i] < root) || (ends_within && arcs.back() - arcs[i] < root);
+      const double distance = (nearest_on(contours_, limb.line[i]) - limb.line[i]).norm();
+      limb.radius.push_back(at_root ? width / 2
+                                    : std::clamp(distance_share * distance, thinnest * width / 2, width / 2));
+    }
+    limbs_.push_back(std::move(limb));
   }
 
   const std::vector<CleanLine>& contours_;
@@ -106,16 +125,26 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using Polygons = bg::model::multi_polygon<bg::model::polygon<BoostPoint>>;
 
+/// Everything within the radius of a limb: the hulls of neighbouring circles.
 Polygons around(const Limb& limb) {
-  bg::model::linestring<BoostPoint> line;
-  for (const Vec2& point : limb.line) line.emplace_back(point.x(), point.y());
-  bg::model::linestring<BoostPoint> simple;
-  bg::simplify(line, simple, limb.width / 50);
-  Polygons polygons;
-  bg::buffer(simple, polygons, bg::strategy::buffer::distance_symmetric<double>(limb.width / 2),
-             bg::strategy::buffer::side_straight(), bg::strategy::buffer::join_round(circle_points),
-             bg::strategy::buffer::end_round(circle_points), bg::strategy::buffer::point_circle(circle_points));
-  return polygons;
+  using Polygon = Polygons::value_type;
+  Polygons all;
+  for (std::size_t i = 0; i + 1 < limb.line.size(); ++i) {
+    bg::model::multi_point<BoostPoint> circles;
+    for (const std::size_t k : {i, i + 1}) {
+      for (int corner = 0; corner < circle_points; ++corner) {
+        const double angle = corner * 2 * std::numbers::pi / circle_points;
+        const Vec2 at = limb.line[k] + limb.radius[k] * Vec2(std::cos(angle), std::sin(angle));
+        circles.emplace_back(at.x(), at.y());
+      }
+    }
+    Polygon hull;
+    bg::convex_hull(circles, hull);
+    Polygons joined;
+    bg::union_(all, hull, joined);
+    all = std::move(joined);
+  }
+  return all;
 }
 
 CleanLine line_of(const Points& ring, const std::vector<Limb>& limbs, double step) {

@@ -109,7 +109,8 @@ EndHits lines_at_ends(const std::vector<CleanLine>& lines, const DrawingScale& s
         const double distance = (nearest - place).norm();
         if (distance >= least) return;
         least = distance;
-        hits[line][at_start ? 0 : 1] = BarHit{distance, segment.line, segment.position + std::min(fraction, 1 - 1e-9), nearest};
+        hits[line][at_start ? 0 : 1] =
+            BarHit{distance, segment.line, segment.position + std::min(fraction, 1 - 1e-9), nearest};
       });
     }
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "croquis/geometry/drawing.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 
@@ -43,7 +42,7 @@ struct Junctions {
 struct EndTarget {
   Index bar = 0;  ///< line
   Vec2 at = Vec2::Zero();
-  double miss = 0;  ///< how far the end is from it
+  double miss = 0;           ///< how far the end is from it
   Vec2 into = Vec2::Zero();  ///< unit, across the bar into its surface
 };
 

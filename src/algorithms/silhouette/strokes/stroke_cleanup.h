@@ -16,8 +16,8 @@ struct SampledDrawing {
   Findings findings;  ///< strokes left out
 };
 
-/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, the rest sampled evenly.
-/// No stroke is changed or deleted; the samples are copies.
+/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, the rest sampled
+/// evenly. No stroke is changed or deleted; the samples are copies.
 /// @throws Error when nothing usable is left or the drawing is too long to sample
 SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options);
 

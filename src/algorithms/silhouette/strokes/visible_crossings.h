@@ -25,7 +25,7 @@ struct VisibleCrossings {
 /// front.
 /// @param tubes_only other lines that cross stay as they are
 /// @param lines     ends that pass behind something lie on it; cut lines are replaced by their pieces
-VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
-                                       const DrawingScale& scale, bool tubes_only, const Progress& progress);
+VisibleCrossings cut_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines, const DrawingScale& scale,
+                                       bool tubes_only, const Progress& progress);
 
 }  // namespace croquis::silhouette
