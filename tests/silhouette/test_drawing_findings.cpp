@@ -74,10 +74,6 @@ TEST_CASE("every finding about a drawing names the strokes it is about") {
         CHECK(finding.message.find('"' + id + '"') != std::string::npos);
       }
     }
-    if (sketch.code == "E_TWO_SIDED") {
-      REQUIRE(!named.empty());
-      CHECK(named.front() == sketch.strokes.front());
-    }
     std::vector<std::string> wanted = sketch.strokes;
     std::sort(wanted.begin(), wanted.end());
     std::sort(named.begin(), named.end());
@@ -88,17 +84,17 @@ TEST_CASE("every finding about a drawing names the strokes it is about") {
 TEST_CASE("places are told in the file's own frame, with the file and line") {
   Drawing drawing;
   drawing.file = "sketch.svg";
-  drawing.strokes.push_back(stroke_of("free", {{100, -200}, {200, -200}, {300, -250}}));
+  drawing.strokes.push_back(stroke_of("open", {{100, -200}, {100, 0}, {300, 0}, {300, -210}, {100, -210}}));
   drawing.strokes.back().line = 12;
   const Findings findings = findings_of(drawing);
-  REQUIRE(codes(findings) == std::vector<std::string>{"E_FREE_END", "E_FREE_END"});
+  REQUIRE(codes(findings) == std::vector<std::string>{"W_GAP"});
   const Subject& subject = findings.front().subjects.front();
-  CHECK(subject.id == "free");
+  CHECK(subject.id == "open");
   CHECK(subject.file == "sketch.svg");
   CHECK(subject.line == 12);
   REQUIRE(subject.at.size() == 2);
   CHECK(subject.at[0] == Approx(100));
-  CHECK(subject.at[1] == Approx(200));
+  CHECK(subject.at[1] == Approx(205));
 }
 
 TEST_CASE("sentences about a drawing leave coordinates to the subjects") {
@@ -113,7 +109,7 @@ TEST_CASE("sentences about a drawing leave coordinates to the subjects") {
 
 TEST_CASE("all findings of a drawing come at once") {
   Drawing drawing = error_sketch("E_CROSS").drawing;
-  Drawing other = error_sketch("E_TWO_SIDED").drawing;
+  Drawing other = error_sketch("E_NO_LABELLING").drawing;
   for (Stroke stroke : other.strokes) {
     stroke.id = "other-" + stroke.id;
     for (StrokeSample& sample : stroke.samples) sample.position.x() += 3000;
@@ -121,7 +117,7 @@ TEST_CASE("all findings of a drawing come at once") {
   }
   const Findings findings = findings_of(drawing);
   CHECK(find_code(findings, "E_CROSS") != nullptr);
-  CHECK(find_code(findings, "E_TWO_SIDED") != nullptr);
+  CHECK(find_code(findings, "E_NO_LABELLING") != nullptr);
 }
 
 TEST_CASE("a drawing without strokes to work with is refused") {
@@ -143,7 +139,7 @@ TEST_CASE("coordinates that are no numbers are refused by name") {
 TEST_CASE("strokes of kinds that are not understood are refused by name while the rest goes on") {
   Drawing drawing = circle_sketch().drawing;
   drawing.strokes.push_back(stroke_of("spine", {{0, 0}, {300, 100}}));
-  drawing.strokes.back().data["kind"] = "tube";
+  drawing.strokes.back().data["kind"] = "spine";
   const Findings findings = findings_of(drawing);
   REQUIRE(codes(findings) == std::vector<std::string>{"E_NOT_SUPPORTED"});
   CHECK(strokes_named(findings.front()) == std::vector<std::string>{"spine"});

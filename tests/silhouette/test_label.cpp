@@ -277,16 +277,17 @@ TEST_CASE("one bad object doesn't stop the others") {
   const LabelledDrawing labelled =
       label_quietly(with_open_stroke(trefoil_sketch().drawing, {-2000, 300}, {-1700, 350}));
   CHECK(counts_of(labelled) == counts_of(trefoil_sketch().truth));
-  REQUIRE(has_code(labelled.findings, "E_FREE_END"));
+  REQUIRE(has_code(labelled.findings, "W_LEFT_OUT"));
   for (const Finding& finding : labelled.findings) CHECK(strokes_named(finding) == std::vector<std::string>{"loose"});
 }
 
 TEST_CASE("a stroke that goes nowhere across a good object doesn't spoil it") {
   // From outside, straight over the whole knot, out again.
   const LabelledDrawing labelled = label_quietly(with_open_stroke(trefoil_sketch().drawing, {-200, 300}, {1100, 400}));
-  CHECK(counts_of(labelled) == counts_of(trefoil_sketch().truth));
-  CHECK(has_code(labelled.findings, "E_FREE_END"));
-  CHECK(has_code(labelled.findings, "E_CROSS"));
+  for (std::size_t s = 0; s + 1 < labelled.kinds.size(); ++s)
+    CHECK(labelled.kinds[s] == silhouette::StrokeKind::Contour);
+  CHECK(labelled.kinds.back() != silhouette::StrokeKind::Contour);
+  CHECK_FALSE(has_errors(labelled.findings));
 }
 
 TEST_CASE("strokes forced into one object are reported as one") {

@@ -14,7 +14,6 @@
 #include "algorithms/silhouette/figure/nested_outlines.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/reading/tube_outlines.h"
-#include "algorithms/silhouette/strokes/doubled_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/told_hidden.h"
 #include "algorithms/silhouette/strokes/tremble.h"
@@ -171,7 +170,6 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (CleanLine& line : lines) {
     for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }
-  append(find_doubled_lines(drawing, lines, scale), findings);
   const std::vector<MetBar> met = meet_bars(lines, contours.targets, scale);
   for (CleanLine& line : tube_outlines(material.sampled, reading, lines)) lines.push_back(std::move(line));
   const bool tubes_only = options.crossings != Crossings::Front;
@@ -221,12 +219,31 @@ std::vector<std::vector<Index>> faulty_strokes(const Material& material, const F
   return faulty;
 }
 
+/// Whether two closed strokes cross: that has no other meaning.
+bool outlines_cross(const Material& material, const LabelledDrawing& labelled) {
+  return std::ranges::any_of(labelled.findings, [&](const Finding& finding) {
+    return finding.code == "E_CROSS" && std::ranges::all_of(finding.subjects, [&](const Subject& subject) {
+             const auto stroke = std::ranges::find(material.drawing.strokes, subject.id, &Stroke::id);
+             return subject.kind != SubjectKind::Stroke || (stroke != material.drawing.strokes.end() && stroke->closed);
+           });
+  });
+}
+
 /// One warning for each stroke that is ignored.
 Findings left_out(const Material& material, const Reading& reading) {
   Findings findings;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     if (reading.kinds[s] != LineKind::Ignored || material.sampled.strokes[s].told == StrokeKind::Ignored) continue;
     const Index stroke = material.sampled.strokes[s].stroke;
+    if (const Index first = material.connections.doubled[s]; first != no_index) {
+      const Index other = material.sampled.strokes[first].stroke;
+      findings.push_back(
+          make_warning(Category::Geometry, "W_DOUBLE",
+                       in_quotes(material.drawing, stroke) + " was drawn over " + in_quotes(material.drawing, other) +
+                           ": they are read as one line",
+                       {stroke_subject(material.drawing, stroke), stroke_subject(material.drawing, other)}));
+      continue;
+    }
     findings.push_back(make_warning(Category::Geometry, "W_LEFT_OUT",
                                     in_quotes(material.drawing, stroke) + " is no line of a solid and was left out",
                                     {stroke_subject(material.drawing, stroke)}));
@@ -259,10 +276,20 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
       program.exclude(*reading, strokes, failed.insert(strokes).second);
     }
     if (!first) first = std::move(labelled);
+    if (options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
   }
   if (first) return *std::move(first);
   LabelledDrawing nothing;
   nothing.findings = material.sampled.findings;
+  for (const Index s : program.contradictions()) {
+    const Index stroke = material.sampled.strokes[s].stroke;
+    nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
+                                          in_quotes(drawing, stroke) + " can't be a " +
+                                              to_string(material.sampled.strokes[s].told) +
+                                              ": let its ends meet something, or give it another kind",
+                                          {stroke_subject(drawing, stroke)}));
+  }
+  if (has_errors(nothing.findings)) return nothing;
   nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
                                         "The drawing's lines enclose nothing: draw the outline of something"));
   return nothing;

@@ -67,20 +67,15 @@ ErrorSketch double_line() {
   return sketch;
 }
 
-ErrorSketch free_end() {
-  ErrorSketch sketch{"E_FREE_END", {"s0"}, {}, {}};
-  add_arc(sketch.drawing, {450, 350}, 250, 45, 315);
-  return sketch;
+void tell_all(Drawing& drawing, const std::string& kind) {
+  for (Stroke& stroke : drawing.strokes) stroke.data["kind"] = kind;
 }
 
-/// A disc with one blob behind it outside, and a line that ends on the disc's outline from inside.
-ErrorSketch two_sided() {
-  ErrorSketch sketch{"E_TWO_SIDED", {"s0", "s1", "s2"}, {}, {}};
-  add_circle(sketch.drawing, {400, 350}, 200);
-  // Of a circle about a point of the outline: the angle, from the disc's centre, at which it meets the outline.
-  const double meets = std::acos(120.0 / 2 / 200) * 180 / pi;
-  add_arc(sketch.drawing, {600, 350}, 120, meets - 180, 180 - meets);
-  add_arc(sketch.drawing, {200, 350}, 120, -meets, meets);
+/// Half a circle can't be closed.
+ErrorSketch wrong_kind() {
+  ErrorSketch sketch{"E_KIND", {"s0"}, {}, {}};
+  add_arc(sketch.drawing, {450, 350}, 250, 90, 270);
+  tell_all(sketch.drawing, "part");
   return sketch;
 }
 
@@ -91,49 +86,13 @@ ErrorSketch visible_crossing() {
   return sketch;
 }
 
-/// The usual distance between hidden ends is set by six narrow bumps; the arch between two discs far away would need a
-/// hidden line of 50 times that length.
-ErrorSketch no_partner() {
-  ErrorSketch sketch{"E_NO_PARTNER", {"s3"}, {}, {}};
-  add_circle(sketch.drawing, {120, 120}, 100);
-  add_circle(sketch.drawing, {820, 120}, 60);
-  add_circle(sketch.drawing, {470, 640}, 60);
-  const auto on = [](const Vec2& centre, double radius, double degrees) -> Vec2 {
-    return centre + radius * Vec2(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
-  };
-  // Set against the outline at right angles at both ends.
-  add_spline(sketch.drawing, {on({820, 120}, 60, 60),
-                              on({820, 120}, 80, 60),
-                              {880, 330},
-                              {760, 590},
-                              {600, 675},
-                              on({470, 640}, 80, 20),
-                              on({470, 640}, 60, 20)});
-  for (int i = 0; i < 6; ++i) {
-    const double angle = 110 + 35 * i;
-    const Vec2 centre(120, 120);
-    add_spline(sketch.drawing, {on(centre, 100, angle - 4), on(centre, 108, angle - 4), on(centre, 114, angle),
-                                on(centre, 108, angle + 4), on(centre, 100, angle + 4)});
-  }
-  return sketch;
-}
-
-/// Three ends, two of them behind the disc: an odd number of hidden ends needs an end that touches nothing.
-ErrorSketch odd() {
-  ErrorSketch sketch{"E_ODD", {"s2"}, {"E_FREE_END"}, {}};
-  add_circle(sketch.drawing, {400, 300}, 190);
-  const double meets = std::acos(110.0 / 2 / 190) * 180 / pi;
-  add_arc(sketch.drawing, {210, 300}, 110, meets, 360 - meets);
-  add_spline(sketch.drawing, {{590, 300}, {650, 305}, {720, 330}, {780, 380}});
-  return sketch;
-}
-
 /// A handle whose two ends go under two discs apart from each other: its hidden line would lie open between them.
 ErrorSketch no_labelling() {
   ErrorSketch sketch{"E_NO_LABELLING", {"s2"}, {}, {}};
   add_circle(sketch.drawing, {250, 250}, 130);
   add_circle(sketch.drawing, {650, 250}, 130);
   add_spline(sketch.drawing, {{250, 380}, {250, 440}, {310, 560}, {450, 610}, {590, 560}, {650, 440}, {650, 380}});
+  tell_all(sketch.drawing, "part");
   return sketch;
 }
 
@@ -159,14 +118,14 @@ ErrorSketch touching() {
   ErrorSketch sketch{"E_TOUCH", {"s0", "s1"}, {}, {}};
   add(sketch.drawing, stadium(200, 450, 260, 440), true);
   add(sketch.drawing, stadium(450, 700, 260, 440), true);
+  tell_all(sketch.drawing, "part");
   return sketch;
 }
 
 }  // namespace
 
 std::vector<ErrorSketch> error_sketches() {
-  return {tiny(),       gap(), double_line(),  free_end(), two_sided(), visible_crossing(),
-          no_partner(), odd(), no_labelling(), touching()};
+  return {tiny(), gap(), double_line(), wrong_kind(), visible_crossing(), no_labelling(), touching()};
 }
 
 ErrorSketch error_sketch(const std::string& code) {

@@ -206,7 +206,7 @@ TEST_CASE("noise keeps every stroke, moves it a little and takes out one piece")
 
 TEST_CASE("error sketches name strokes that exist") {
   const std::vector<ErrorSketch> sketches = error_sketches();
-  CHECK(sketches.size() == 10);
+  CHECK(sketches.size() == 7);
   for (const ErrorSketch& sketch : sketches) {
     INFO(sketch.code);
     for (const std::string& id : sketch.strokes) {

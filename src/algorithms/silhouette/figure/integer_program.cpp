@@ -154,8 +154,9 @@ void IntegerProgram::add_row(std::vector<Term> terms, double lower, double upper
   rows_.push_back({std::move(merged), lower, upper});
 }
 
-void IntegerProgram::fix(Index variable, double value) {
-  variables_[variable].lower = variables_[variable].upper = value;
+void IntegerProgram::set_bounds(Index variable, double lower, double upper) {
+  variables_[variable].lower = lower;
+  variables_[variable].upper = upper;
 }
 
 IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) const {

@@ -22,8 +22,8 @@ class IntegerProgram {
   Index add_variable(double lower, double upper, double cost);
   void add_row(std::vector<Term> terms, double lower, double upper);
 
-  /// Makes a variable of equal bounds.
-  void fix(Index variable, double value);
+  void set_bounds(Index variable, double lower, double upper);
+  void fix(Index variable, double value) { set_bounds(variable, value, value); }
 
   Index variable_count() const { return static_cast<Index>(variables_.size()); }
 

@@ -12,6 +12,7 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
 #include "algorithms/silhouette/strokes/cubic_join.h"
+#include "algorithms/silhouette/strokes/doubled_strokes.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 
 namespace croquis::silhouette {
@@ -49,7 +50,8 @@ class ConnectionSearch {
       : strokes_(strokes),
         scale_(scale),
         spacing_(scale.step / 2),
-        grid_(segments(strokes), 2 * spacing_),
+        doubled_(doubled_strokes(strokes, scale)),
+        grid_(segments(strokes, doubled_), 2 * spacing_),
         largest_(largest_size(strokes)) {}
 
   Connections run(const Progress& progress) {
@@ -63,13 +65,17 @@ class ConnectionSearch {
     drop_beside_plain_joins();
     progress.check();
     find_hidden();
+    found_.doubled = std::move(doubled_);
     return std::move(found_);
   }
 
  private:
-  static std::vector<GridSegment> segments(const std::vector<SampledStroke>& strokes) {
+  /// Of strokes that weren't drawn over others.
+  static std::vector<GridSegment> segments(const std::vector<SampledStroke>& strokes,
+                                           const std::vector<Index>& doubled) {
     std::vector<GridSegment> all;
     for (Index s = 0; s < strokes.size(); ++s) {
+      if (doubled[s] != no_index) continue;
       const Points& points = strokes[s].points;
       const std::size_t count = strokes[s].closed ? points.size() : points.size() - 1;
       for (Index i = 0; i < count; ++i) all.push_back({points[i], points[(i + 1) % points.size()], s, i});
@@ -86,7 +92,7 @@ class ConnectionSearch {
   void find_ends() {
     for (Index s = 0; s < strokes_.size(); ++s) {
       const SampledStroke& stroke = strokes_[s];
-      if (stroke.closed) continue;
+      if (stroke.closed || doubled_[s] != no_index) continue;
       const double bend = std::min(bend_reach * scale_.unit, chord_share / 2 * stroke.length);
       const double chord = std::min(chord_reach * scale_.unit, chord_share * stroke.length);
       for (const bool at_start : {true, false}) {
@@ -140,7 +146,7 @@ class ConnectionSearch {
                                   : std::max(farthest_gap * usual, least_farthest_gap * scale_.unit);
     if (distance > widest || !same_object(a.stroke, b.stroke)) return std::nullopt;
     const double share = distance / usual;
-    double cost = costs::gap * costs::miss(share);
+    double cost = costs::gap * (closing ? costs::opening(share) : costs::miss(share));
     cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, distance, share);
     if (is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
     return EndJoin{0, 0, std::min(1.0, share), cost};
@@ -369,6 +375,7 @@ class ConnectionSearch {
   const std::vector<SampledStroke>& strokes_;
   const DrawingScale& scale_;
   double spacing_;
+  std::vector<Index> doubled_;
   SegmentGrid grid_;
   double largest_;
   Connections found_;

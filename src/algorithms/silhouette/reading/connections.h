@@ -54,11 +54,12 @@ struct StrokeCrossing {
 };
 
 struct Connections {
-  std::vector<LineEnd> ends;  ///< of open strokes, in their order: start, end
+  std::vector<LineEnd> ends;  ///< of open strokes that aren't doubled, in their order: start, end
   std::vector<EndJoin> joins;
   std::vector<EndMeeting> meetings;
   std::vector<HiddenPair> hidden;
   std::vector<StrokeCrossing> crossings;
+  std::vector<Index> doubled;  ///< per stroke, see `doubled_strokes`
 };
 
 /// Near O(n) for evenly spread samples. Ends that plainly go on as one another have no other candidates.

@@ -11,6 +11,9 @@ namespace croquis::silhouette::costs {
 /// Of a distance in parts of what hands miss by: squared for small ones, in proportion for large ones.
 inline double miss(double share) { return share < 1 ? share * share : 2 * share - 1; }
 
+/// The same of the gap that an outline left open: beyond what hands miss by, its width says less and less.
+inline double opening(double share) { return share < 1 ? share * share : 1 + 2 * std::log(share); }
+
 /// How the cost of a long hidden piece grows: that two ends belong together is seldom told by distance alone.
 inline double flattened(double cost) { return cost < 1 ? cost : 1 + 0.5 * std::log(cost); }
 
@@ -51,6 +54,7 @@ inline constexpr double closed_detail = 2;   ///< more: a closed line is nearly 
 inline constexpr double detail_outside = 6;  ///< times the share of it that lies outside everything
 inline constexpr double size = 3;            ///< times twice its size in parts of the drawing's, at most
 inline constexpr double tube = 3;
+inline constexpr double tube_size = 4;             ///< times its size in parts of the drawing's
 inline constexpr double tube_apart = 4;   ///< it hangs on nothing
 inline constexpr double tube_inside = 5;  ///< times the share of it that doesn't lie outside
 inline constexpr double ignored = 4.5;

@@ -18,6 +18,7 @@ constexpr double corner_reach = 3;
 struct Chain {
   StrokeChain strokes;
   std::array<Index, 2> ends{no_index, no_index};  ///< positions in Connections::ends
+  double gap = 0;                                 ///< of a closed one whose stroke closes itself, see EndJoin
 };
 
 /// Follows joined ends. Ends come in pairs (start, end) per stroke, so e ^ 1 is the other end of the same stroke.
@@ -26,11 +27,13 @@ class ChainSearch {
   ChainSearch(const Connections& connections, const Reading& reading)
       : connections_(connections),
         partner_(connections.ends.size(), no_index),
+        gap_(connections.ends.size(), 0),
         first_end_(reading.kinds.size(), no_index),
         done_(reading.kinds.size(), 0) {
     for (const EndJoin& join : reading.joins) {
       partner_[join.a] = join.b;
       partner_[join.b] = join.a;
+      gap_[join.a] = gap_[join.b] = join.gap;
     }
     for (Index e = 0; e < connections.ends.size(); e += 2) first_end_[connections.ends[e].stroke] = e;
     for (Index s = 0; s < reading.kinds.size(); ++s) {
@@ -52,6 +55,7 @@ class ChainSearch {
       const LineEnd& end = connections_.ends[next];
       if (end.stroke == stroke) {
         chain.strokes.closed = true;
+        chain.gap = gap_[chain.ends[1]];
         chain.ends = {no_index, no_index};
         return chain;
       }
@@ -70,6 +74,7 @@ class ChainSearch {
 
   const Connections& connections_;
   std::vector<Index> partner_;    ///< per end
+  std::vector<double> gap_;       ///< per end
   std::vector<Index> first_end_;  ///< per stroke
   std::vector<char> done_;        ///< per stroke
   std::vector<Chain> chains_;
@@ -137,6 +142,7 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
     for (const ChainLink& link : chain.strokes.links)
       line_of_stroke[link.index] = static_cast<Index>(result.lines.size());
     result.lines.push_back(join_chain(chain.strokes, strokes, sampled.scale));
+    result.lines.back().bridged = chain.strokes.closed && chain.gap >= 1;
   }
   for (const Index region : reading.regions) result.lines.push_back(line_of(envelope.regions[region], strokes));
   for (CleanLine& line : result.lines) {

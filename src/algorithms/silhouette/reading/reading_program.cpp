@@ -129,7 +129,7 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
              (line.closed ? costs::closed_detail + 4 * size : 0) + costs::detail_outside * outside;
     case LineKind::Tube:
-      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + 2 * size +
+      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + costs::tube_size * size +
              (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
     case LineKind::Ignored:
       return costs::ignored + costs::outline_left_out * seen +
@@ -179,7 +179,9 @@ void ReadingProgram::add_strokes() {
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
-      const bool possible = kind == LineKind::Region ? on_any : kind != LineKind::Tube || !strokes_[s].closed;
+      const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
+                            : kind == LineKind::Region          ? on_any
+                                                                : kind != LineKind::Tube || !strokes_[s].closed;
       kinds[k] = program_.add_variable(0, possible && allowed(strokes_[s].told, kind) ? 1 : 0, cost(s, kind));
       one.push_back({kinds[k], 1});
     }
@@ -306,6 +308,20 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   }
   const auto count = static_cast<double>(all.size());
   program_.add_row(std::move(all), 0, count - 1);
+}
+
+std::vector<Index> ReadingProgram::contradictions() const {
+  std::vector<Index> told, contradicting;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    if (strokes_[s].told == StrokeKind::Visible) continue;
+    told.push_back(s);
+    IntegerProgram without = program_;
+    for (const LineKind kind : {LineKind::Contour, LineKind::Detail, LineKind::Ignored}) {
+      without.set_bounds(variable(s, kind), 0, 1);
+    }
+    if (!without.solve(least_nodes, reading_gap).values.empty()) contradicting.push_back(s);
+  }
+  return contradicting.empty() ? told : contradicting;
 }
 
 void ReadingProgram::forbid(LineKind kind) {

@@ -55,6 +55,10 @@ class ReadingProgram {
   /// No stroke has that kind.
   void forbid(LineKind kind);
 
+  /// Where no reading is left from the first: strokes each of which is told to be something that it can't be beside
+  /// what others are told to be, ascending.
+  std::vector<Index> contradictions() const;
+
   std::size_t region_count() const { return envelope_.regions.size(); }
 
  private:

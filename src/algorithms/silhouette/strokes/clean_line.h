@@ -18,8 +18,9 @@ struct CleanLine {
   Points raw;                  ///< the strokes as drawn, one after the other
   std::string object;          ///< name of the object it was forced into, empty for none
   bool closed = false;
-  bool tube = false;  ///< the outline of limbs that were drawn as one line
-  double size = 0;    ///< see `size_of`
+  bool bridged = false;  ///< closed over a gap that is more than what hands miss by
+  bool tube = false;     ///< the outline of limbs that were drawn as one line
+  double size = 0;       ///< see `size_of`
 
   Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
   const Vec2& end(bool at_start) const { return at_start ? points.front() : points.back(); }

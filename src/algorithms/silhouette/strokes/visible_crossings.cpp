@@ -110,10 +110,17 @@ class CrossingReader {
 
   bool told_apart(Index a, Index b) const { return told_behind_line(a, b) || told_behind_line(b, a); }
 
+  /// The ends of an outline that was left open are seen within what it lies in front of.
+  bool opens_within(Index line, Index other) const {
+    const Points& points = lines_[line].points;
+    return lines_[line].bridged && encloses(lines_[other], (points.front() + points.back()) / 2);
+  }
+
   Index front_of(Index a, Index b) const {
     const Index later = last_stroke(a) > last_stroke(b) ? a : b;
     const Index earlier = later == a ? b : a;
-    return told_behind_line(later, earlier) ? earlier : later;
+    if (told_behind_line(later, earlier)) return earlier;
+    return opens_within(earlier, later) && !opens_within(later, earlier) ? earlier : later;
   }
 
   /// What is covered of every line. Lines are moved where they nearly touch, those in front first.
@@ -181,7 +188,8 @@ class CrossingReader {
     const double turned = lines_[line].closed ? parameter - count * std::floor(parameter / count) : parameter;
     told_.push_back({last_stroke(cover.front), last_stroke(line),
                      point_at(lines_[line].points, std::min(turned, count)), cover.chosen,
-                     lines_[line].closed && lines_[cover.front].closed, lines_[line].tube || lines_[cover.front].tube});
+                     lines_[line].closed && lines_[cover.front].closed && !lines_[cover.front].bridged,
+                     lines_[line].tube || lines_[cover.front].tube});
   }
 
   /// The union of covered runs. None for a line that is covered completely.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/strokes/doubled_lines.h"
+#include "algorithms/silhouette/strokes/doubled_strokes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,30 +59,29 @@ std::map<Index, double> lines_beside(const SegmentGrid& grid, const Vec2& place,
 
 }  // namespace
 
-Findings find_doubled_lines(const Drawing& drawing, const std::vector<CleanLine>& lines, const DrawingScale& scale) {
+std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   const double reach = doubling_distance * scale.unit;
-  const SegmentGrid grid(line_segments(lines), scale.step, reach);
+  std::vector<GridSegment> segments;
+  for (Index s = 0; s < strokes.size(); ++s) {
+    const Points& points = strokes[s].points;
+    for (Index i = 0; i + 1 < points.size(); ++i) segments.push_back({points[i], points[i + 1], s, i});
+  }
+  const SegmentGrid grid(std::move(segments), scale.step, reach);
   std::map<std::pair<Index, Index>, Company> company;
-  for (Index line = 0; line < lines.size(); ++line) {
-    for (const Vec2& point : lines[line].points) {
-      for (const auto& [other, distance] : lines_beside(grid, point, line, reach)) company[{line, other}].add(distance);
+  for (Index s = 0; s < strokes.size(); ++s) {
+    for (const Vec2& point : strokes[s].points) {
+      for (const auto& [other, distance] : lines_beside(grid, point, s, reach)) company[{s, other}].add(distance);
     }
   }
-  Findings findings;
+  std::vector<Index> doubled(strokes.size(), no_index);
   for (const auto& [pair, distances] : company) {
-    const auto& [line, other] = pair;
-    const auto size = lines[line].points.size();
-    const auto other_size = lines[other].points.size();
-    if (size > other_size || (size == other_size && line > other)) continue;  // asked of the shorter one
+    const auto& [s, other] = pair;
+    const auto size = strokes[s].points.size(), other_size = strokes[other].points.size();
+    if (size > other_size || (size == other_size && s < other)) continue;  // asked of the shorter one
     if (distances.count < doubling_share * static_cast<double>(size) || distances.is_strand(scale.unit)) continue;
-    const Index first = std::min(lines[line].strokes.front(), lines[other].strokes.front());
-    const Index second = std::max(lines[line].strokes.front(), lines[other].strokes.front());
-    findings.push_back(make_warning(Category::Geometry, "W_DOUBLE",
-                                    in_quotes(drawing, first) + " and " + in_quotes(drawing, second) +
-                                        " look like the same line: remove one of them if they are",
-                                    {stroke_subject(drawing, first), stroke_subject(drawing, second)}));
+    if (strokes[s].told == StrokeKind::Visible) doubled[s] = other;
   }
-  return findings;
+  return doubled;
 }
 
 }  // namespace croquis::silhouette

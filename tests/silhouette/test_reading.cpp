@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every stroke of a drawing is taken for.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "algorithms/silhouette/reading/connections.h"
+#include "algorithms/silhouette/reading/envelope.h"
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
+#include "croquis/base/error.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/polyline.h"
+#include "croquis/geometry/triangle_tree.h"
+#include "croquis/silhouette/solid.h"
+#include "labelled_counts.h"
+#include "support/random.h"
+#include "support/sample_count.h"
+#include "support/sketches/sketch_gallery.h"
+#include "support/sketches/sketch_generator.h"
+#include "support/sketches/sketch_modifiers.h"
+
+using namespace croquis;
+using namespace croquis::silhouette;
+using namespace croquis::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// An animal as people draw one: a body of scallops that don't quite meet, a head whose outline stays open, legs and a
+/// tail of one line, a face, fur, and a letter beside it. Ids say what each stroke is.
+class PetDrawing {
+ public:
+  explicit PetDrawing(std::uint64_t seed) : random_(seed) {
+    body();
+    head();
+    limbs();
+    add("detail-mouth", arc({-175, 75}, 22, 200, 330));
+    add("blob-eye", arc({-195, 105}, 9, 0, 362));
+    scribble();
+    add("ignored-letter", {{260, 240}, {260, 190}, {290, 190}});
+  }
+
+  Drawing take() { return std::move(drawing_); }
+
+ private:
+  std::vector<Vec2> arc(const Vec2& centre, double radius, double from, double to) {
+    std::vector<Vec2> points;
+    const int count = std::max(6, static_cast<int>(std::abs(to - from) / 8));
+    for (int i = 0; i <= count; ++i) {
+      const double angle = (from + (to - from) * i / count) * pi / 180;
+      points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+  }
+
+  void add(const std::string& id, std::vector<Vec2> points) {
+    for (Vec2& point : points) point += Vec2(random_.between(-1.5, 1.5), random_.between(-1.5, 1.5));
+    drawing_.strokes.push_back(stroke_of(id, points));
+  }
+
+  /// Three strokes, the ends up to 4 % of the drawing apart.
+  void body() {
+    for (int piece = 0; piece < 3; ++piece) {
+      std::vector<Vec2> points;
+      const double from = 120.0 * piece + random_.between(0, 4), to = 120.0 * (piece + 1) - random_.between(0, 4);
+      for (double degrees = from; degrees <= to; degrees += 4) {
+        const double scallops = 1 + 0.06 * std::abs(std::sin(degrees * pi / 60));
+        points.emplace_back(150 * scallops * std::cos(degrees * pi / 180),
+                            95 * scallops * std::sin(degrees * pi / 180));
+      }
+      add("contour-body-" + std::to_string(piece), points);
+    }
+  }
+
+  void head() { add("contour-head", arc({-190, 90}, 55, random_.between(5, 15), random_.between(330, 345))); }
+
+  void limbs() {
+    for (int leg = 0; leg < 4; ++leg) {
+      const double x = -90 + 60.0 * leg + random_.between(-8, 8);
+      const double top = -95 * std::sqrt(1 - x * x / (150.0 * 150)) + random_.between(-4, 8);
+      add("tube-leg-" + std::to_string(leg), {{x, top}, {x + 3, top - 45}, {x, -190}, {x - 16, -193}});
+    }
+    add("tube-tail", {{148, 20}, {175, 40}, {195, 35}, {205, 60}});
+  }
+
+  void scribble() {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 120; ++i)
+      points.emplace_back(-30 + 0.8 * i + 18 * std::cos(0.55 * i), 10 + 18 * std::sin(0.55 * i));
+    add("scribble-fur", points);
+  }
+
+  Random random_;
+  Drawing drawing_;
+};
+
+std::map<std::string, StrokeKind> kinds_by_id(const Drawing& drawing, const LabelledDrawing& labelled) {
+  std::map<std::string, StrokeKind> kinds;
+  for (std::size_t s = 0; s < drawing.strokes.size(); ++s) kinds[drawing.strokes[s].id] = labelled.kinds[s];
+  return kinds;
+}
+
+LabelledDrawing read(const Drawing& drawing) { return label_quietly(drawing, Options::of(Preset::Tablet)); }
+
+Solid solid_of(const Drawing& drawing) {
+  Progress progress;
+  const Options options = Options::of(Preset::Tablet);
+  return inflate(label(drawing, options, progress), drawing, options, progress);
+}
+
+/// Every stroke in pieces that begin where the last one ended.
+Drawing in_pieces(const Drawing& drawing, std::size_t count) {
+  Drawing result;
+  for (const Stroke& stroke : drawing.strokes) {
+    const std::size_t last = stroke.samples.size() - 1;
+    for (std::size_t piece = 0; piece < count; ++piece) {
+      Stroke part = stroke;
+      part.closed = false;
+      part.id += "-" + std::to_string(piece);
+      part.samples.assign(stroke.samples.begin() + static_cast<std::ptrdiff_t>(last * piece / count),
+                          stroke.samples.begin() + static_cast<std::ptrdiff_t>(last * (piece + 1) / count) + 1);
+      if (stroke.closed && piece + 1 == count) part.samples.push_back(stroke.samples.front());
+      result.strokes.push_back(std::move(part));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("what people draw is taken for what it is") {
+  int right = 0, all = 0;
+  for (int seed = 1; seed <= sample_count(12, 100); ++seed) {
+    const Drawing pet = PetDrawing(static_cast<std::uint64_t>(seed)).take();
+    const LabelledDrawing labelled = read(pet);
+    CHECK_FALSE(has_errors(labelled.findings));
+    for (const auto& [id, kind] : kinds_by_id(pet, labelled)) {
+      ++all;
+      const bool meant = id.starts_with(to_string(kind));
+      if (!meant) UNSCOPED_INFO("seed " << seed << ": " << id << " is read as " << to_string(kind));
+      right += meant ? 1 : 0;
+    }
+  }
+  CHECK(right >= 0.95 * all);
+}
+
+TEST_CASE("a reading is the same for any order, direction, place, size and turn of the strokes") {
+  const Drawing pet = PetDrawing(1).take();
+  const auto expected = kinds_by_id(pet, read(pet));
+  const auto check = [&](const Drawing& changed) { CHECK(kinds_by_id(changed, read(changed)) == expected); };
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) check(shuffled_strokes(pet, seed));
+  check(reversed_strokes(pet));
+  Sketch sketch;
+  sketch.drawing = pet;
+  check(translated(sketch, {5000, -300}).drawing);
+  check(scaled(sketch, 1e-3).drawing);
+  check(scaled(sketch, 1e4).drawing);
+  for (const double turn : {0.4, 1.9}) check(rotated(sketch, turn).drawing);
+  check(mirrored(sketch).drawing);
+}
+
+TEST_CASE("strokes in pieces, and drawn twice, make the same figure") {
+  for (const auto& [name, sketch] : hand_sketches()) {
+    INFO(name);
+    const LabelledCounts meant = counts_of(sketch.truth);
+    for (const std::size_t count : {std::size_t{2}, std::size_t{3}}) {
+      const LabelledCounts found = counts_of(read(in_pieces(sketch.drawing, count)));
+      CHECK(found.panels == meant.panels);
+      CHECK(found.objects == meant.objects);
+    }
+    Drawing twice = sketch.drawing;
+    Random random(7);
+    for (const Stroke& stroke : sketch.drawing.strokes) {
+      Stroke again = stroke;
+      again.id += "-again";
+      const Vec2 aside = 0.001 * diagonal(sketch.drawing) * Vec2(random.between(-1, 1), random.between(-1, 1));
+      for (StrokeSample& sample : again.samples) sample.position += aside;
+      twice.strokes.push_back(std::move(again));
+    }
+    const LabelledDrawing labelled = read(twice);
+    CHECK(counts_of(labelled).panels == meant.panels);
+    CHECK(std::ranges::count(labelled.findings, "W_DOUBLE", &Finding::code) ==
+          static_cast<std::ptrdiff_t>(sketch.drawing.strokes.size()));
+  }
+}
+
+TEST_CASE("what is told of a stroke holds") {
+  for (const StrokeKind kind : {StrokeKind::Detail, StrokeKind::Tube, StrokeKind::Ignored, StrokeKind::Scribble}) {
+    for (const std::string id : {"tube-leg-1", "detail-mouth", "tube-tail"}) {
+      Drawing pet = PetDrawing(2).take();
+      const auto stroke = std::ranges::find(pet.strokes, id, &Stroke::id);
+      stroke->data[kind_key] = to_string(kind);
+      INFO(id << " told to be " << to_string(kind));
+      const LabelledDrawing labelled = read(pet);
+      CHECK(kinds_by_id(pet, labelled).at(id) == kind);
+      CHECK(std::ranges::none_of(labelled.findings, [&](const Finding& finding) {
+        return finding.code == "W_LEFT_OUT" && finding.subjects.front().id == id;
+      }));
+    }
+  }
+}
+
+TEST_CASE("limbs of one line grow out of the body, and details lie on its front") {
+  for (std::uint64_t seed = 3; seed < 5; ++seed) {
+    const Drawing pet = PetDrawing(seed).take();
+    const Solid solid = solid_of(pet);
+    CHECK_FALSE(has_errors(solid.findings));
+    const auto of_body =
+        std::ranges::find_if(solid.shells, [&](const SolidShell& shell) { return shell.objects.size() > 1; });
+    for (const Finding& finding : solid.findings) UNSCOPED_INFO(finding.code << " " << finding.message);
+    REQUIRE(of_body != solid.shells.end());
+    CHECK(of_body->objects.size() == 6);  // four legs and a tail
+    CHECK(of_body->euler_mesh == 2);
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (Index f = 0; f < solid.mesh.face_count(); ++f) {
+      const auto corners = solid.mesh.face(f);
+      triangles.push_back(
+          {solid.mesh.positions[corners[0]], solid.mesh.positions[corners[1]], solid.mesh.positions[corners[2]]});
+    }
+    const TriangleTree tree(std::move(triangles));
+    REQUIRE(!solid.lines.empty());
+    const double far = diagonal(pet);
+    for (const SurfaceLine& line : solid.lines) {
+      for (const Vec3& point : line.points) {
+        CHECK(tree.nearest(point, far).distance < 1e-9 * far);
+        CHECK(point.z() > 0);
+      }
+    }
+    CHECK(solid.used == Approx(1).margin(0.06));
+  }
+}
+
+TEST_CASE("a region is found behind a gap of a third of its outline, and under fur") {
+  for (const double gap : {0.05, 0.1, 0.15}) {
+    INFO("gap " << gap);
+    Drawing drawing;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= 100; ++i) {
+      const double angle = 2 * pi * (1 - gap) * i / 100;
+      points.emplace_back(200 * std::cos(angle), 150 * std::sin(angle));
+    }
+    drawing.strokes.push_back(stroke_of("open", points));
+    std::vector<Vec2> fur;
+    for (int i = 0; i < 200; ++i) fur.emplace_back(0.4 * i - 40 + 30 * std::cos(0.5 * i), 30 * std::sin(0.5 * i));
+    drawing.strokes.push_back(stroke_of("fur", fur));
+    const SampledDrawing sampled = sample_strokes(drawing, StrokeOptions{});
+    const Envelope envelope = enclosed_regions(sampled.strokes);
+    REQUIRE(envelope.regions.size() == 1);
+    const double whole = pi * 200 * 150;
+    CHECK(envelope.regions.front().area > (1 - gap) * whole);
+    CHECK(envelope.regions.front().area < 1.02 * whole);
+    CHECK(envelope.seen[0] > 0.9);
+    CHECK(envelope.outside[1] == 0);
+  }
+}
+
+TEST_CASE("ends that meet are joined at the least cost, and cheaper the nearer they are") {
+  double last = -1;
+  for (const double gap : {1.0, 5.0, 20.0, 40.0}) {
+    Drawing drawing;
+    drawing.strokes = {stroke_of("a", {{0, 0}, {100, 0}, {400, 0}}),
+                       stroke_of("b", {{400 + gap, 0}, {600, 0}, {900, 0}}), stroke_of("c", {{400, 300}, {600, 500}})};
+    const SampledDrawing sampled = sample_strokes(drawing, Options::of(Preset::Tablet).strokes);
+    const Connections found = find_connections(sampled.strokes, sampled.scale, Progress{});
+    const auto cheapest = std::ranges::min_element(found.joins, {}, &EndJoin::cost);
+    REQUIRE(cheapest != found.joins.end());
+    CHECK(found.ends[cheapest->a].stroke == 0);
+    CHECK(found.ends[cheapest->b].stroke == 1);
+    CHECK(cheapest->cost > last);
+    last = cheapest->cost;
+  }
+}
