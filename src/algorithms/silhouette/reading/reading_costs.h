@@ -19,8 +19,8 @@ inline double flattened(double cost) { return cost < 1 ? cost : 1 + 0.5 * std::l
 
 // Ends that meet.
 inline constexpr double gap = 0.7;              ///< times miss()
-inline constexpr double turn = 1.2;             ///< times 1 - cosine of the turn
-inline constexpr double turn_of_closing = 1.2;  ///< the same where a stroke closes itself: it may have a corner
+inline constexpr double turn = 1.9;             ///< times 1 - cosine of the turn
+inline constexpr double turn_of_closing = 1.9;  ///< the same where a stroke closes itself: it may have a corner
 inline constexpr double line_between = 1.5;     ///< another line crosses the gap
 inline constexpr double line_at_gap = 1.5;      ///< each end that lies on a line, times the gap in what hands miss by
 inline constexpr double chance_meeting = 0.7;   ///< an end lies on a line when passing behind it would cost less
@@ -31,7 +31,7 @@ inline constexpr double junction = 0.15;      ///< each
 inline constexpr double junction_miss = 0.6;  ///< times miss()
 inline constexpr double beside = 0.3;         ///< the end points elsewhere: it only lies near the line
 inline constexpr double against_heading = 4;  ///< times the sine at which it heads out of the bar's surface
-inline constexpr double own_line = 0.3;       ///< a line that passes behind itself
+inline constexpr double own_line = 0.2;       ///< a line that passes behind itself
 inline constexpr double end_of_bar = 1;       ///< times how near to the bar's own end it is met
 inline constexpr double line_before_bar = 1;  ///< another line lies between the end and the bar
 
