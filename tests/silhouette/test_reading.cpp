@@ -234,7 +234,7 @@ TEST_CASE("limbs of one line grow out of the body, and details lie on its front"
   }
 }
 
-TEST_CASE("a region is found behind a gap of a third of its outline, and under fur") {
+TEST_CASE("a region is found behind a gap of its outline, and under fur") {
   for (const double gap : {0.05, 0.1, 0.15}) {
     INFO("gap " << gap);
     Drawing drawing;
