@@ -19,15 +19,19 @@ namespace {
 using silhouette::Options;
 using silhouette::Preset;
 
-constexpr std::array<const char*, 2> crossings_names = {"refuse", "front"};  // in the order of silhouette::Crossings
+constexpr std::array<const char*, 2> crossings_names = {"front", "refuse"};  // in the order of silhouette::Crossings
+
+constexpr std::array<const char*, 3> preset_names = {"auto", "clean", "tablet"};  // in the order of silhouette::Preset
 
 /// What hands draw crosses itself; exact lines that cross are a slip.
 ParameterDescription inflate_preset_choice() {
   ParameterDescription preset =
-      choice_parameter("preset", {"clean", "tablet"}, "clean for exact lines, tablet for lines drawn by hand.")
-          .titled("Lines are", {"exact", "drawn by hand"});
-  const auto crossings = static_cast<std::size_t>(Options::of(Preset::Tablet).strokes.crossings);
-  preset.presets["tablet"] = {{"crossings", std::string(crossings_names[crossings])}};
+      choice_parameter("preset", {preset_names.begin(), preset_names.end()},
+                       "auto for any lines, clean for exact ones that are refused where they cross, tablet for lines "
+                       "drawn by hand, smoothed.")
+          .titled("Lines are", {"any", "exact", "drawn by hand"});
+  const auto crossings = static_cast<std::size_t>(Options::of(Preset::Clean).strokes.crossings);
+  preset.presets["clean"] = {{"crossings", std::string(crossings_names[crossings])}};
   return preset;
 }
 
@@ -59,14 +63,13 @@ std::vector<ParameterDescription> inflate_parameters() {
           .at(ParameterPlace::Nowhere),
       choice_or_preset("crossings", crossings_names,
                        "Outlines that cross in full view: the closed line drawn later lies in front, or they are "
-                       "refused; tablet takes them, clean refuses them.")
+                       "refused, as the preset clean does.")
           .titled("Outlines that cross")
           .at(ParameterPlace::Nowhere)};
 }
 
 Options read_inflate_options(const ParameterValues& parameters) {
-  const bool tablet = text_of(parameters, "preset") == "tablet";
-  Options options = Options::of(tablet ? Preset::Tablet : Preset::Clean);
+  Options options = Options::of(named<Preset>(preset_names, text_of(parameters, "preset")));
   options.strokes.step = number_of(parameters, "resolution");
   options.depth.weight_curvature = number_of(parameters, "weight-curvature");
   options.depth.weight_orientation = number_of(parameters, "weight-orientation");

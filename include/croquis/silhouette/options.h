@@ -17,15 +17,19 @@ namespace croquis::silhouette {
 /// drawing and its enlargement give the same solid. Lengths of the depth stage are in L, the median skeleton radius.
 
 enum class Preset {
-  Clean,  ///< exact lines: vector drawings, snapped pens
-  Tablet  ///< hand-drawn lines: more smoothing, wider reach of a stroke's end
+  Auto,   ///< any lines: what the options are by themselves
+  Clean,  ///< exact lines, vector drawings, snapped pens: ends meet what they belong to, outlines don't cross
+  Tablet  ///< hand-drawn lines: as Auto, always smoothed
 };
 
 /// What becomes of outlines that cross in full view.
 enum class Crossings {
-  Refuse,  ///< E_CROSS
-  Front    ///< the closed stroke that was drawn later covers the other one, unless it is told to lie behind
+  Front,  ///< the closed stroke that was drawn later covers the other one, unless it is told to lie behind
+  Refuse  ///< E_CROSS
 };
+
+/// Many passes for lines that jitter, few for smooth ones, which lose nothing then.
+inline constexpr int smoothed_as_needed = -1;
 
 /// Stroke preparation.
 struct StrokeOptions {
@@ -33,13 +37,13 @@ struct StrokeOptions {
   double tiny = 12;          ///< u: shorter strokes are ignored with a warning
   double close = 8;          ///< u: ends nearer than this close the stroke
   double gap = 18;           ///< u: ends of two strokes nearer than this may be one line
-  double snap = 10;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
-  int smoothing_passes = 2;  ///< 0..20: Taubin passes
-  Crossings crossings = Crossings::Refuse;
+  double snap = 14;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
+  int smoothing_passes = smoothed_as_needed;  ///< 0..20: Taubin passes
+  Crossings crossings = Crossings::Front;
   /// What a hand may miss, in parts of the size of what it draws; with 0 only the lengths above count.
-  double close_share = 0;  ///< of a stroke's length: the gap or overlap of its ends that closes it
-  double aside_share = 0;  ///< of its length: how far aside of one another the ends of a closed stroke may lie
-  double reach_share = 0;  ///< of an object's size: how far an end may miss the line that it passes behind
+  double close_share = 0.05;  ///< of a stroke's length: the gap or overlap of its ends that closes it
+  double aside_share = 0.03;  ///< of its length: how far aside of one another the ends of a closed stroke may lie
+  double reach_share = 0.04;  ///< of an object's size: how far an end may miss the line that it passes behind
 };
 constexpr auto members(const StrokeOptions& options) {
   return std::tie(options.step, options.tiny, options.close, options.gap, options.snap, options.smoothing_passes,
@@ -109,13 +113,14 @@ struct Options {
 
   static Options of(Preset preset) {
     Options options;
-    if (preset == Preset::Tablet) {
-      options.strokes.snap = 14;
-      options.strokes.smoothing_passes = 8;
-      options.strokes.crossings = Crossings::Front;
-      options.strokes.close_share = 0.05;
-      options.strokes.aside_share = 0.03;
-      options.strokes.reach_share = 0.04;
+    if (preset == Preset::Tablet) options.strokes.smoothing_passes = 8;
+    if (preset == Preset::Clean) {
+      options.strokes.snap = 10;
+      options.strokes.smoothing_passes = 2;
+      options.strokes.crossings = Crossings::Refuse;
+      options.strokes.close_share = 0;
+      options.strokes.aside_share = 0;
+      options.strokes.reach_share = 0;
     }
     return options;
   }

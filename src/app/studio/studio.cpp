@@ -180,9 +180,7 @@ Document Studio::with_network(const Document& document, AttributeNetwork network
 void Studio::follow_sketch() { sketch_ = drawing_node(); }
 
 void Studio::start_with(Drawing drawing) {
-  SketchToolOptions options = tool_options();
-  options.parameters.erase("preset");  // files hold exact lines
-  load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), options));
+  load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), tool_options()));
 }
 
 void Studio::start_with(PerspectiveDrawing drawing, const std::string& name) {

@@ -27,8 +27,7 @@ struct SketchToolOptions {
   std::string operation = "inflate";  ///< made together with the first drawing …
   int version = 1;                    ///< … of this version …
   std::string port = "drawing";       ///< … its input that the drawing goes to …
-  ParameterValues parameters = {{"preset", std::string("tablet")},
-                                {"attach", std::string("auto")}};  ///< … and those parameters that it starts with
+  ParameterValues parameters = {{"attach", std::string("auto")}};  ///< … and those parameters that it starts with
   /// The parameters of an operation on a drawing of which strokes were taken away; without it they stay.
   std::function<ParameterValues(ParameterValues, const Drawing&)> follow_removal;
   PickReach reach;           ///< its units_per_pixel is taken from each event

@@ -13,6 +13,7 @@ struct SampledDrawing {
   DrawingScale scale;
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<HiddenStroke> hidden;
+  int smoothing_passes = 0;
   Findings findings;  ///< strokes left out
 };
 
