@@ -16,6 +16,8 @@
 
 using namespace croquis;
 using namespace croquis::test;
+using silhouette::Options;
+using silhouette::Preset;
 
 namespace {
 
@@ -61,7 +63,7 @@ Drawing random_drawing(std::uint64_t seed) {
 TEST_CASE("every finding about a drawing names the strokes it is about") {
   for (const ErrorSketch& sketch : error_sketches()) {
     INFO(sketch.code);
-    const Findings findings = findings_of(sketch.drawing);
+    const Findings findings = findings_of(sketch.drawing, Options::of(Preset::Clean));
     std::vector<std::string> named;
     for (const Finding& finding : findings) {
       INFO(finding.message);
@@ -100,7 +102,7 @@ TEST_CASE("places are told in the file's own frame, with the file and line") {
 TEST_CASE("sentences about a drawing leave coordinates to the subjects") {
   static const std::regex coordinates(R"(-?\d[\d.e+-]*, ?-?\d)");
   for (const ErrorSketch& sketch : error_sketches()) {
-    for (const Finding& finding : findings_of(sketch.drawing)) {
+    for (const Finding& finding : findings_of(sketch.drawing, Options::of(Preset::Clean))) {
       INFO(finding.message);
       CHECK_FALSE(std::regex_search(finding.message, coordinates));
     }
@@ -115,7 +117,7 @@ TEST_CASE("all findings of a drawing come at once") {
     for (StrokeSample& sample : stroke.samples) sample.position.x() += 3000;
     drawing.strokes.push_back(stroke);
   }
-  const Findings findings = findings_of(drawing);
+  const Findings findings = findings_of(drawing, Options::of(Preset::Clean));
   CHECK(find_code(findings, "E_CROSS") != nullptr);
   CHECK(find_code(findings, "E_NO_LABELLING") != nullptr);
 }

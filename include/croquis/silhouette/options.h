@@ -17,9 +17,9 @@ namespace croquis::silhouette {
 /// drawing and its enlargement give the same solid. Lengths of the depth stage are in L, the median skeleton radius.
 
 enum class Preset {
-  Auto,   ///< any lines: what the options are by themselves
+  Auto,   ///< any lines, what the options are by themselves: as Tablet but where the drawing is exact
   Clean,  ///< exact lines, vector drawings, snapped pens: ends meet what they belong to, outlines don't cross
-  Tablet  ///< hand-drawn lines: as Auto, always smoothed
+  Tablet  ///< hand-drawn lines: smoothed, ends may miss by a share of what is drawn
 };
 
 /// What becomes of outlines that cross in full view.
@@ -28,9 +28,6 @@ enum class Crossings {
   Refuse  ///< E_CROSS
 };
 
-/// Many passes for lines that jitter, few for smooth ones, which lose nothing then.
-inline constexpr int smoothed_as_needed = -1;
-
 /// Stroke preparation.
 struct StrokeOptions {
   double step = 6;           ///< u, 2..20: spacing of contour samples
@@ -38,16 +35,17 @@ struct StrokeOptions {
   double close = 8;          ///< u: ends nearer than this close the stroke
   double gap = 18;           ///< u: ends of two strokes nearer than this may be one line
   double snap = 14;          ///< u: how far an end may stop short of, or overshoot, the line it passes behind
-  int smoothing_passes = smoothed_as_needed;  ///< 0..20: Taubin passes
+  int smoothing_passes = 8;  ///< 0..20: Taubin passes
   Crossings crossings = Crossings::Front;
   /// What a hand may miss, in parts of the size of what it draws; with 0 only the lengths above count.
   double close_share = 0.05;  ///< of a stroke's length: the gap or overlap of its ends that closes it
   double aside_share = 0.03;  ///< of its length: how far aside of one another the ends of a closed stroke may lie
   double reach_share = 0.04;  ///< of an object's size: how far an end may miss the line that it passes behind
+  bool adapts = true;  ///< where the drawing is exact, what hands miss and add is left out: Clean's values are taken
 };
 constexpr auto members(const StrokeOptions& options) {
   return std::tie(options.step, options.tiny, options.close, options.gap, options.snap, options.smoothing_passes,
-                  options.crossings, options.close_share, options.aside_share, options.reach_share);
+                  options.crossings, options.close_share, options.aside_share, options.reach_share, options.adapts);
 }
 static_assert(lists_every_member<StrokeOptions>);
 
@@ -113,7 +111,7 @@ struct Options {
 
   static Options of(Preset preset) {
     Options options;
-    if (preset == Preset::Tablet) options.strokes.smoothing_passes = 8;
+    options.strokes.adapts = preset == Preset::Auto;
     if (preset == Preset::Clean) {
       options.strokes.snap = 10;
       options.strokes.smoothing_passes = 2;

@@ -73,13 +73,8 @@ class ConnectionSearch {
   /// Of strokes that weren't drawn over others.
   static std::vector<GridSegment> segments(const std::vector<SampledStroke>& strokes,
                                            const std::vector<Index>& doubled) {
-    std::vector<GridSegment> all;
-    for (Index s = 0; s < strokes.size(); ++s) {
-      if (doubled[s] != no_index) continue;
-      const Points& points = strokes[s].points;
-      const std::size_t count = strokes[s].closed ? points.size() : points.size() - 1;
-      for (Index i = 0; i < count; ++i) all.push_back({points[i], points[(i + 1) % points.size()], s, i});
-    }
+    std::vector<GridSegment> all = stroke_segments(strokes);
+    std::erase_if(all, [&](const GridSegment& segment) { return doubled[segment.line] != no_index; });
     return all;
   }
 
@@ -210,7 +205,7 @@ class ConnectionSearch {
       for (EndMeeting& meeting : meetings_with(end, bit, segment)) {
         meeting.end = index;
         EndMeeting& known = best.try_emplace({meeting.bar, meeting.side}, meeting).first->second;
-        if (meeting.cost < known.cost) known = meeting;
+        if (is_better(meeting, known)) known = meeting;
       }
     });
     for (auto& [bar, meeting] : best) {
@@ -218,6 +213,12 @@ class ConnectionSearch {
       meeting.cost += place_cost(end, meeting);
       found_.meetings.push_back(meeting);
     }
+  }
+
+  /// An end that has run across a line ends there: it would cross it in full view if it ended anywhere else.
+  static bool is_better(const EndMeeting& meeting, const EndMeeting& known) {
+    const bool crosses = meeting.along < 0;
+    return crosses == (known.along < 0) ? meeting.cost < known.cost : crosses;
   }
 
   /// A line passes behind its own other parts, not behind its end.

@@ -61,12 +61,7 @@ std::map<Index, double> lines_beside(const SegmentGrid& grid, const Vec2& place,
 
 std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   const double reach = doubling_distance * scale.unit;
-  std::vector<GridSegment> segments;
-  for (Index s = 0; s < strokes.size(); ++s) {
-    const Points& points = strokes[s].points;
-    for (Index i = 0; i + 1 < points.size(); ++i) segments.push_back({points[i], points[i + 1], s, i});
-  }
-  const SegmentGrid grid(std::move(segments), scale.step, reach);
+  const SegmentGrid grid(stroke_segments(strokes), scale.step, reach);
   std::map<std::pair<Index, Index>, Company> company;
   for (Index s = 0; s < strokes.size(); ++s) {
     for (const Vec2& point : strokes[s].points) {

@@ -125,6 +125,16 @@ void close_line(Growing& line, const DrawingScale& scale) {
 
 }  // namespace
 
+std::vector<GridSegment> stroke_segments(const std::vector<SampledStroke>& strokes) {
+  std::vector<GridSegment> all;
+  for (Index s = 0; s < strokes.size(); ++s) {
+    const Points& points = strokes[s].points;
+    const std::size_t count = strokes[s].closed ? points.size() : points.size() - 1;
+    for (Index i = 0; i < count; ++i) all.push_back({points[i], points[(i + 1) % points.size()], s, i});
+  }
+  return all;
+}
+
 CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   CleanLine line;
   line.closed = chain.closed;

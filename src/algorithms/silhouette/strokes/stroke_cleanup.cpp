@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/exactness.h"
 #include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
@@ -21,11 +22,6 @@ constexpr double maximum_samples = 500'000;
 // read as one of them is. At most so many times finer than the sheet's own u, which bounds the number of samples.
 constexpr double least_typical_size = 150;
 constexpr double finest_unit = 8;
-
-// Smoothing as needed. Curves have less jitter, in steps, than the first; what a hand adds has more.
-constexpr double most_jitter = 0.01;
-constexpr int few_passes = 2;
-constexpr int many_passes = 8;
 
 struct UsableStroke {
   Index stroke = 0;
@@ -202,22 +198,6 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
   return sampled;
 }
 
-/// Median over all strokes of how far a point lies off the cubic through the ones around it, in steps: 0 for smooth
-/// curves.
-double jitter_of(const std::vector<SampledStroke>& strokes, double step) {
-  std::vector<double> sizes;
-  for (const SampledStroke& stroke : strokes) {
-    const Points& p = stroke.points;
-    for (std::size_t i = 8; i < p.size(); i += 2) {
-      sizes.push_back((p[i - 8] - 4 * (p[i - 6] + p[i - 2]) + 6 * p[i - 4] + p[i]).norm() / 6);
-    }
-  }
-  if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle / step;
-}
-
 }  // namespace
 
 SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options) {
@@ -229,9 +209,14 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   check_extent(drawing, usable, result.scale.step, result.findings);
   result.strokes = sample(drawing, usable, result.scale.step / 2);
   result.smoothing_passes = options.smoothing_passes;
-  if (options.smoothing_passes == smoothed_as_needed) {
-    const bool smooth = jitter_of(result.strokes, result.scale.step) < most_jitter;
-    result.smoothing_passes = smooth ? few_passes : many_passes;
+  if (!options.adapts) return result;
+  const StrokeOptions exact = Options::of(Preset::Clean).strokes;
+  if (are_smooth(result.strokes, result.scale)) result.smoothing_passes = exact.smoothing_passes;
+  if (are_ends_exact(result.strokes, result.scale)) {
+    result.scale.snap = exact.snap * result.scale.unit;
+    result.scale.close_share = exact.close_share;
+    result.scale.aside_share = exact.aside_share;
+    result.scale.reach_share = exact.reach_share;
   }
   return result;
 }
