@@ -350,7 +350,7 @@ TEST_CASE("the parts of a sketch that is opened hold together as they look", "[s
   REQUIRE(inflated != nullptr);
   REQUIRE(inflated->attached.size() == 1);
   CHECK(inflated->attached[0].hold == Hold::Resting);
-  CHECK(!hand.studio().solid_operation()->parameters.contains("preset"));  // exact lines
+  CHECK(!hand.studio().solid_operation()->parameters.contains("preset"));  // any lines
 }
 
 TEST_CASE("the right button draws behind what is there; with the select tool it draws nothing", "[sketch-strokes]") {

@@ -44,6 +44,12 @@ Node inflated(const std::string& name, NodeId sketch) {
 }
 
 /// Nodes 1 and 2: a circle and its solid.
+Node exact(const std::string& name, NodeId sketch) {
+  Node node = inflated(name, sketch);
+  node.parameters["preset"] = std::string("clean");
+  return node;
+}
+
 Document ball() { return Document().with(source("sketch", circle(80))).with(inflated("ball", 1)); }
 
 std::string saved(const ScratchFolder& folder, const std::string& name, const Document& document) {
@@ -152,7 +158,7 @@ TEST_CASE("a node that fails is a warning beside others, and an error alone") {
   other.strokes[0].id = "other";
   crossed.strokes.push_back(other.strokes[0]);
   const Document bad =
-      Document().with(source("two circles", std::make_shared<const Drawing>(crossed))).with(inflated("impossible", 1));
+      Document().with(source("two circles", std::make_shared<const Drawing>(crossed))).with(exact("impossible", 1));
   const ProcessResult alone = run_cli({"run", saved(folder, "bad.croq", bad), "-o", folder / "a.obj", "--json"});
   CHECK(alone.code == 4);
   CHECK(report_of(alone)["error"]["code"] == "E_CROSS");

@@ -101,7 +101,8 @@ TEST_CASE("a drawing on another plane becomes the same solid, rigidly moved") {
 }
 
 TEST_CASE("inflating refuses a drawing with the same findings every time") {
-  test::check_operation(InflateOperation(), inputs_of(test::error_sketch("E_TWO_SIDED").drawing), {});
+  test::check_operation(InflateOperation(), inputs_of(test::error_sketch("E_CROSS").drawing),
+                        {{"preset", std::string("clean")}});
 }
 
 TEST_CASE("programs read labels and parts of a solid as its drawing and mesh show them") {

@@ -121,9 +121,9 @@ void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
   for (const LabelledFigure& figure : labelled.figures) {
     for (const NestedOutline& nested : figure.nested) {
       const bool small = size_of_stroke(drawing, nested.stroke) < blob_share * size_of_stroke(drawing, nested.around);
-      const StrokeKind part = small || stroke_kind(drawing.strokes[nested.stroke]) == StrokeKind::Blob
-                                  ? StrokeKind::Blob
-                                  : StrokeKind::Part;
+      const StrokeKind told = stroke_kind(drawing.strokes[nested.stroke]).value_or(StrokeKind::Visible);
+      const bool blob = told == StrokeKind::Blob || (small && told != StrokeKind::Part);
+      const StrokeKind part = blob ? StrokeKind::Blob : StrokeKind::Part;
       labelled.kinds[nested.stroke] = nested.hole ? StrokeKind::Hole : part;
     }
   }

@@ -78,7 +78,7 @@ TEST_CASE("the first stroke makes a drawing and the operation on it in one undo 
   CHECK(desk.tool.node() == nodes[0]->id);
   CHECK(nodes[1]->operation == "inflate");
   CHECK(nodes[1]->inputs.at("drawing") == Link{nodes[0]->id, "value"});
-  CHECK(nodes[1]->parameters.at("preset") == ParameterValue(std::string("tablet")));
+  CHECK(!nodes[1]->parameters.contains("preset"));  // any lines
   CHECK(nodes[1]->parameters.at("attach") == ParameterValue(std::string("auto")));
   CHECK(desk.session.undo_labels() == Ids{"Draw stroke 1"});
   CHECK(desk.stroke("stroke 1").samples.size() == 41);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <new>
+#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -159,10 +160,72 @@ void IntegerProgram::set_bounds(Index variable, double lower, double upper) {
   variables_[variable].upper = upper;
 }
 
+/// Variables that rows connect, and those rows.
+struct IntegerProgram::Part {
+  std::vector<Index> variables;  ///< ascending
+  IntegerProgram program;
+};
+
+std::vector<IntegerProgram::Part> IntegerProgram::parts() const {
+  std::vector<Index> root(variables_.size());
+  std::iota(root.begin(), root.end(), Index{0});
+  const auto root_of = [&](Index v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (const Row& row : rows_) {
+    for (const Term& term : row.terms) {
+      const Index a = root_of(row.terms.front().variable), b = root_of(term.variable);
+      root[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<Part> parts;
+  std::vector<Index> part(variables_.size()), number(variables_.size());
+  for (Index v = 0; v < variables_.size(); ++v) {
+    const Index first = root_of(v);
+    part[v] = first == v ? static_cast<Index>(parts.size()) : part[first];
+    if (first == v) parts.emplace_back();
+    number[v] = static_cast<Index>(parts[part[v]].variables.size());
+    parts[part[v]].variables.push_back(v);
+    parts[part[v]].program.variables_.push_back(variables_[v]);
+  }
+  for (const Row& row : rows_) {
+    if (row.terms.empty()) continue;
+    std::vector<Row>& rows = parts[part[row.terms.front().variable]].program.rows_;
+    rows.push_back(row);
+    for (Term& term : rows.back().terms) term.variable = number[term.variable];
+  }
+  return parts;
+}
+
 IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) const {
   Solution solution;
-  if (variables_.empty()) {
+  for (const Row& row : rows_) {
+    if (row.terms.empty() && (row.lower > 0 || row.upper < 0)) return solution;
+  }
+  std::vector<int> values(variables_.size(), 0);
+  bool limited = false;
+  for (const Part& part : parts()) {
+    const Solution own = part.program.solve_connected(std::max(1, maximum_nodes - solution.nodes), gap);
+    solution.nodes += own.nodes;
+    solution.status = own.status;
+    limited = limited || own.status == Status::Limit;
+    if (own.values.empty()) return solution;
+    for (std::size_t i = 0; i < own.values.size(); ++i) values[part.variables[i]] = own.values[i];
+  }
+  solution.status = limited ? Status::Limit : Status::Optimal;
+  solution.values = std::move(values);
+  return solution;
+}
+
+IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, double gap) const {
+  Solution solution;
+  const Variable& only = variables_.front();
+  double best = std::max(only.lower, std::min(only.upper, 0.0));
+  if (only.cost != 0) best = only.cost > 0 ? only.lower : only.upper;
+  if (rows_.empty() && std::isfinite(best) && only.lower <= only.upper) {
     solution.status = Status::Optimal;
+    solution.values = {static_cast<int>(std::lround(best))};
     return solution;
   }
   std::vector<int> term_row{0};

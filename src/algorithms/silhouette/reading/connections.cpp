@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -198,27 +199,28 @@ class ConnectionSearch {
     const double farthest = farthest_miss * scale_.reach(std::max(strokes_[end.stroke].size, largest_));
     const Points bit = last_bit(end, farthest);
     const Vec2 around = Vec2::Constant(farthest);
-    std::map<std::pair<Index, int>, EndMeeting> best;  // by bar and side
+    std::vector<EndMeeting> all;
+    std::set<Index> crossed;
     grid_.near_box(end.place - around, end.place + around, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
       if (!same_object_or_other(segment, end)) return;
-      for (EndMeeting& meeting : meetings_with(end, bit, segment)) {
-        meeting.end = index;
-        EndMeeting& known = best.try_emplace({meeting.bar, meeting.side}, meeting).first->second;
-        if (is_better(meeting, known)) known = meeting;
+      for (const EndMeeting& meeting : meetings_with(end, bit, segment)) {
+        all.push_back(meeting);
+        if (meeting.along < 0) crossed.insert(meeting.bar);
       }
     });
+    std::map<std::pair<Index, int>, EndMeeting> best;  // by bar and side
+    for (EndMeeting& meeting : all) {
+      meeting.end = index;
+      if (meeting.along > 0 && crossed.contains(meeting.bar)) meeting.cost += costs::bar_crossed;
+      EndMeeting& known = best.try_emplace({meeting.bar, meeting.side}, meeting).first->second;
+      if (meeting.cost < known.cost) known = meeting;
+    }
     for (auto& [bar, meeting] : best) {
       if (meeting.cost >= dearest_meeting) continue;
       meeting.cost += place_cost(end, meeting);
       found_.meetings.push_back(meeting);
     }
-  }
-
-  /// An end that has run across a line ends there: it would cross it in full view if it ended anywhere else.
-  static bool is_better(const EndMeeting& meeting, const EndMeeting& known) {
-    const bool crosses = meeting.along < 0;
-    return crosses == (known.along < 0) ? meeting.cost < known.cost : crosses;
   }
 
   /// A line passes behind its own other parts, not behind its end.

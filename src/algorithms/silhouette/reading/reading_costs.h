@@ -33,6 +33,7 @@ inline constexpr double beside = 0.3;         ///< the end points elsewhere: it 
 inline constexpr double against_heading = 4;  ///< times the sine at which it heads out of the bar's surface
 inline constexpr double own_line = 0.2;       ///< a line that passes behind itself
 inline constexpr double end_of_bar = 1;       ///< times how near to the bar's own end it is met
+inline constexpr double bar_crossed = 1;      ///< the line runs across its bar before it ends there
 inline constexpr double line_before_bar = 1;  ///< another line lies between the end and the bar
 
 // Hidden pieces.

@@ -301,7 +301,7 @@ class SheetImprover {
     if (shared != (on_rim ? 1 : 2) || star_.size() < (on_rim ? 2 : 4) || before - after <= best.gain) return;
     const std::optional<Moved> moved = moved_by_collapse(from, to, std::isfinite(room.least()));
     if (!moved || !moved->fits(room)) return;
-    if (!faces_alike_after(from, to)) return;
+    if (!faces_alike_after(from, to) || makes_notch(from, to)) return;
     best = {before - after, Kind::Collapse, 0, 0, from, to, *moved};
   }
 
@@ -312,6 +312,22 @@ class SheetImprover {
       const Vec3 across = in_front ? front(second[2]) - front(first[0]) : back(second[2]) - back(first[0]);
       const bool inwards = (own.dot(across) > 0) == in_front;
       if (inwards && own.dot(other) < least_rim_bend * own.norm() * other.norm()) return true;
+    }
+    return false;
+  }
+
+  /// Whether an edge to the rim would be bent inwards after a collapse. @pre collect_star(from)
+  bool makes_notch(Index from, Index to) const {
+    const auto after = [&](Index t) {
+      const Corners& corners = mesh_.triangles[t];
+      const std::size_t k = corner_of(corners, from);
+      return Corners{to, corners[(k + 1) % 3], corners[(k + 2) % 3]};
+    };
+    for (std::size_t i = 0; i < star_.size(); ++i) {
+      if (mesh_.on_boundary[from] && i + 1 == star_.size()) break;
+      const Corners first = after(star_[i]), second = after(star_[(i + 1) % star_.size()]);
+      if (first[1] == to || first[2] == to || second[2] == to) continue;
+      if ((mesh_.on_boundary[to] || mesh_.on_boundary[first[2]]) && is_notch(first, second)) return true;
     }
     return false;
   }
