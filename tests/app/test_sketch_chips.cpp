@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people change about how a sketch is read: chips over the sketch, strokes drawn behind, pieces cut out.
+#include <QAction>
+#include <QMenu>
 #include <QDoubleSpinBox>
 #include <QTest>
 #include <cmath>
@@ -194,6 +196,37 @@ TEST_CASE("an outline within another is a part or a hole by a click on its chip"
   hand.act("undo");
   hand.act("undo");
   hand.settle();
+  CHECK(!hand.studio().drawing().strokes[1].data.contains("kind"));
+}
+
+TEST_CASE("a line on a body is a detail, and a click on its chip makes it something else", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -200}, {260, 200});
+  hand.draw(round_line({0, 0}, 150));
+  hand.draw({{-60, -40}, {-30, -55}, {0, -60}, {30, -55}, {60, -40}});
+  hand.settle();
+  const auto kind = [&] { return hand.studio().result()->result<InflateResult>()->kinds.at(1).second; };
+  const auto lines = [&] { return hand.studio().result()->outputs.at("lines").get<PolyMesh>().line_count(); };
+  REQUIRE(kind() == silhouette::StrokeKind::Detail);
+  CHECK(lines() == 1);
+  app::SketchChip* chip_of_line = chip(hand, "kind-0");
+  REQUIRE(chip_of_line != nullptr);
+  REQUIRE(chip_of_line->isVisible());
+  CHECK(chip_of_line->text() == "Detail");
+  const auto choose = [&](const char* name) {
+    chip_of_line->click();
+    auto* menu = chip_of_line->findChild<QMenu*>("kinds");
+    REQUIRE(menu != nullptr);
+    menu->findChild<QAction*>(name)->trigger();
+    menu->close();
+    hand.settle();
+  };
+  choose("kind-ignored");
+  CHECK(kind() == silhouette::StrokeKind::Ignored);
+  CHECK(lines() == 0);
+  CHECK(hand.studio().drawing().strokes[1].data.at("kind") == "ignored");
+  choose("kind-visible");
+  CHECK(kind() == silhouette::StrokeKind::Detail);
   CHECK(!hand.studio().drawing().strokes[1].data.contains("kind"));
 }
 

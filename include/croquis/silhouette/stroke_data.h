@@ -39,6 +39,9 @@ inline constexpr const char* behind_all = "all";
 /// None for a word that is no kind.
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke);
 
+/// The kind of that word, as files have it; none for a word that is no kind.
+std::optional<StrokeKind> stroke_kind(std::string_view word);
+
 /// The text of a kind, as files have it.
 std::string to_string(StrokeKind kind);
 

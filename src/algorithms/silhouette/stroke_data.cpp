@@ -31,9 +31,12 @@ std::string_view without_spaces(std::string_view text) {
 
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke) {
   const auto found = stroke.data.find(kind_key);
-  if (found == stroke.data.end()) return StrokeKind::Visible;
+  return found == stroke.data.end() ? StrokeKind::Visible : stroke_kind(found->second);
+}
+
+std::optional<StrokeKind> stroke_kind(std::string_view word) {
   for (const auto& [kind, text] : kinds) {
-    if (found->second == text) return kind;
+    if (word == text) return kind;
   }
   return std::nullopt;
 }

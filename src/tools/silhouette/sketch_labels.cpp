@@ -17,6 +17,7 @@ std::string point_label(const std::string& id) { return "Drag a point of " + nam
 std::string setting_label(const recorded::StrokeReading& setting) {
   const std::string stroke = named(setting.stroke);
   if (setting.in_front_of) return "Bring " + stroke + " in front of " + named(*setting.in_front_of);
+  if (setting.kind == silhouette::StrokeKind::Visible) return "Find what " + stroke + " is";
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }

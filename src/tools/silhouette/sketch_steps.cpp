@@ -60,8 +60,8 @@ StrokeReading read_setting(Fields& fields) {
   StrokeReading step;
   step.stroke = fields.text("stroke");
   if (fields.has("kind")) {
-    const std::string kind = fields.one_of("kind", {"part", "hole"});
-    step.kind = kind == "part" ? silhouette::StrokeKind::Part : silhouette::StrokeKind::Hole;
+    step.kind = silhouette::stroke_kind(fields.text("kind"));
+    if (!step.kind) throw Mistake{"\"kind\" must be contour, part, hole, blob, detail, scribble, tube, ignored or visible"};
   }
   if (fields.has("in-front-of")) step.in_front_of = fields.text("in-front-of");
   if (fields.has("thickness")) {
@@ -104,7 +104,7 @@ const Vocabulary& sketch_steps() {
     made.add(Drag::step_kind());
     made.add(StrokeReading::step_kind());
     for (const char* name : {"strokes", "strokes-behind", "inner-holes", "inner-parts", "crossings-in-view",
-                             "joined-pairs", "resting-pairs"})
+                             "joined-pairs", "resting-pairs", "details", "tubes", "left-out"})
       made.add_count(name);
     return made;
   }();

@@ -55,7 +55,8 @@ Data& thickness_data(Drawing& drawing, Stroke& stroke) {
 
 DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind) {
   DrawingEdit edit{drawing, {}, {id}, {}};
-  stroke_of(edit.drawing, id).data[silhouette::kind_key] = silhouette::to_string(kind);
+  const bool given = kind != silhouette::StrokeKind::Visible;
+  set_entry(stroke_of(edit.drawing, id).data, silhouette::kind_key, given ? silhouette::to_string(kind) : "");
   return edit;
 }
 

@@ -35,7 +35,7 @@ struct Drag {
 /// How a stroke that is drawn already is to be read; one of these.
 struct StrokeReading {
   std::string stroke;
-  std::optional<silhouette::StrokeKind> kind = {};  ///< Part or Hole
+  std::optional<silhouette::StrokeKind> kind = {};  ///< Visible: it is found again
   std::optional<std::string> in_front_of = {};      ///< id of the stroke that it crosses
   std::optional<double> thickness = {};             ///< factor of the depth of the part that it bounds, above 0
 

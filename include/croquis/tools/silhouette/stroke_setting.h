@@ -12,8 +12,8 @@ namespace croquis {
 inline constexpr double least_thickness = 0.05;  ///< factors of a part's depth
 inline constexpr double most_thickness = 4;
 
-/// Says whether an outline within another one is a hole or a part in front.
-/// @param kind Part or Hole; @throws Error (E_INPUT) when there is no such stroke
+/// Says what a stroke is: an outline, a hole, a line on the surface …
+/// @param kind Visible takes back what was said; @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind);
 
 /// Says which of two strokes that cross in full view lies in front. Without being told it is the one drawn later.

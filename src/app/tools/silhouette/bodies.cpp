@@ -55,6 +55,22 @@ std::vector<Body> bodies_of(const Drawing& drawing, const Evaluation* solid) {
   return bodies;
 }
 
+QString word_of(silhouette::StrokeKind kind) {
+  switch (kind) {
+    case silhouette::StrokeKind::Visible: break;
+    case silhouette::StrokeKind::Hidden: return QObject::tr("Hidden line");
+    case silhouette::StrokeKind::Contour: return QObject::tr("Outline");
+    case silhouette::StrokeKind::Part: return QObject::tr("Part in front");
+    case silhouette::StrokeKind::Hole: return QObject::tr("Hole");
+    case silhouette::StrokeKind::Blob: return QObject::tr("Small shape");
+    case silhouette::StrokeKind::Detail: return QObject::tr("Detail");
+    case silhouette::StrokeKind::Scribble: return QObject::tr("Fur, hatching");
+    case silhouette::StrokeKind::Tube: return QObject::tr("Tube");
+    case silhouette::StrokeKind::Ignored: return QObject::tr("Left out");
+  }
+  return {};
+}
+
 const Body* body_with(const std::vector<Body>& bodies, const std::vector<std::string>& strokes) {
   const auto body = std::ranges::find_if(bodies, [&](const Body& b) { return is_about(b, strokes); });
   return body == bodies.end() ? nullptr : &*body;

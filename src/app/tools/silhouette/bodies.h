@@ -19,6 +19,9 @@ struct Body {
 /// Of a solid's newest result, in its order; empty without one.
 std::vector<Body> bodies_of(const Drawing& drawing, const Evaluation* solid);
 
+/// What people call a kind of stroke.
+QString word_of(silhouette::StrokeKind kind);
+
 /// The body that some of these strokes belong to, or null.
 const Body* body_with(const std::vector<Body>& bodies, const std::vector<std::string>& strokes);
 

@@ -48,6 +48,28 @@ std::vector<StrokesInView> crossings_in_view(const InflateResult& inflated, cons
   return crossings;
 }
 
+std::vector<ReadStroke> read_strokes(const InflateResult& inflated, const Drawing& drawing,
+                                     const std::vector<std::string>& selected) {
+  constexpr std::size_t most_shown = 12;
+  std::vector<ReadStroke> chosen, others;
+  for (const auto& [id, found] : inflated.kinds) {
+    const Stroke* stroke = find_stroke(drawing, id);
+    if (stroke == nullptr || stroke->samples.empty()) continue;
+    const StrokeKind told = silhouette::stroke_kind(*stroke).value_or(StrokeKind::Visible);
+    const bool is_told = told != StrokeKind::Visible;
+    const StrokeKind kind = is_told ? told : found;
+    const ReadStroke read{id, kind, is_told, stroke->samples[stroke->samples.size() / 2].position};
+    const bool has_chip = kind == StrokeKind::Hole || kind == StrokeKind::Part || kind == StrokeKind::Blob;
+    if (std::ranges::find(selected, id) != selected.end())
+      chosen.push_back(read);
+    else if (kind != StrokeKind::Contour && kind != StrokeKind::Hidden && !has_chip)
+      others.push_back(read);
+  }
+  if (others.size() > most_shown) others.clear();
+  chosen.insert(chosen.end(), others.begin(), others.end());
+  return chosen;
+}
+
 ChosenPart chosen_part(const InflateResult& inflated, const Drawing& drawing,
                        const std::vector<std::string>& selected) {
   const auto is_in = [](const std::vector<std::string>& ids, const std::string& id) {

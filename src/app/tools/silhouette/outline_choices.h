@@ -17,6 +17,18 @@ std::vector<NestedStroke> nested_outlines(const InflateResult& inflated, const D
 /// The pairs of strokes that cross in full view and are still there, each once.
 std::vector<StrokesInView> crossings_in_view(const InflateResult& inflated, const Drawing& drawing);
 
+/// What a stroke was read as.
+struct ReadStroke {
+  std::string stroke;
+  silhouette::StrokeKind kind = silhouette::StrokeKind::Contour;
+  bool chosen = false;  ///< by the drawing
+  Vec2 at = Vec2::Zero();
+};
+
+/// Strokes that are no plain outlines, as long as they are few, and those that are selected.
+std::vector<ReadStroke> read_strokes(const InflateResult& inflated, const Drawing& drawing,
+                                     const std::vector<std::string>& selected);
+
 /// The part that the selected strokes belong to; its thickness is set at the first of its strokes.
 struct ChosenPart {
   std::string stroke;

@@ -80,6 +80,14 @@ Expectations SilhouetteTool::expectations() {
   add("inner-parts", [](const InflateResult& inflated) {
     return count_of(inflated.nested, [](const NestedStroke& nested) { return !nested.hole; });
   });
+  const auto add_kinds = [&](const char* name, std::vector<silhouette::StrokeKind> kinds) {
+    add(name, [kinds = std::move(kinds)](const InflateResult& inflated) {
+      return count_of(inflated.kinds, [&](const auto& read) { return std::ranges::count(kinds, read.second) > 0; });
+    });
+  };
+  add_kinds("details", {silhouette::StrokeKind::Detail, silhouette::StrokeKind::Scribble});
+  add_kinds("tubes", {silhouette::StrokeKind::Tube});
+  add_kinds("left-out", {silhouette::StrokeKind::Ignored});
   add("crossings-in-view", [](const InflateResult& inflated) { return inflated.crossings_in_view.size(); });
   add("joined-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Joined); });
   add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });

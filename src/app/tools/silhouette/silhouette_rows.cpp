@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lists show of sketches: the bodies of their solids, and strokes that belong to none.
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "app/panels/finding_elements.h"
 #include "app/tools/silhouette/bodies.h"
 #include "app/tools/silhouette/silhouette_tool.h"
+#include "croquis/operators/inflate_result.h"
 
 namespace croquis::app {
 namespace {
@@ -37,6 +39,10 @@ std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId nod
       node == object.chain.front() ? source_of<Drawing>(studio().session().document().find(node)) : nullptr;
   std::vector<ObjectRow> rows;
   if (!drawing) return rows;
+  const auto result = object.chain.size() < 2 ? nullptr : studio().result(object.chain[1]);
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
+  std::map<std::string, silhouette::StrokeKind> kinds;
+  if (inflated != nullptr) kinds.insert(inflated->kinds.begin(), inflated->kinds.end());
   std::set<std::string> used;
   for (const Body& body : bodies_in(studio(), object, *drawing)) {
     rows.push_back(row_of(body));
@@ -44,7 +50,10 @@ std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId nod
   }
   for (const Stroke& stroke : drawing->strokes) {
     const QString name = QString::fromStdString(stroke.id);
-    if (!used.contains(stroke.id)) rows.push_back({name, {}, name, {stroke.id}, false, true, {}});
+    if (used.contains(stroke.id)) continue;
+    const auto kind = kinds.find(stroke.id);
+    const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
+    rows.push_back({name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
   }
   return rows;
 }

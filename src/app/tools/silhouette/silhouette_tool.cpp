@@ -6,9 +6,14 @@
 #include <algorithm>
 
 #include "app/panels/finding_elements.h"
+#include "app/studio/own_space.h"
 #include "app/tools/silhouette/bodies.h"
+#include "app/views/ink_sheet.h"
+#include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "app/window/theme.h"
+#include "croquis/operators/inflate_result.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/workspace/chain.h"
 
@@ -146,10 +151,40 @@ void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
 }
 
 void SilhouetteTool::add_to(render::Scene& scene, int view) {
-  if (!has_view(view)) return;
+  if (!has_view(view)) {
+    for (const WorkObject& object : studio().objects()) {
+      const auto lines = lines_.find(object.node);
+      if (lines == lines_.end() || !object.visible) continue;
+      const PlacedPart part(scene, object.placement.map());
+      scene.lines.emplace_back(lines->second);
+    }
+    return;
+  }
   const render::Scene sketch = sketch_.scene().scene();
   scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
   scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
+}
+
+/// Of solids as they were drawn: what is refined or cut after that has another surface.
+void SilhouetteTool::follow_lines() {
+  lines_.clear();
+  for (const WorkObject& object : studio().objects()) {
+    if (!object.result || result_of<InflateResult>(object.result.get()) == nullptr) continue;
+    const auto lines = object.result->outputs.find("lines");
+    if (lines == object.result->outputs.end()) continue;
+    const auto& mesh = lines->second.get<PolyMesh>();
+    std::vector<render::LinePath> paths;
+    for (std::size_t l = 0; l < mesh.line_count(); ++l) {
+      render::LinePath path;
+      for (const Index v : mesh.line(l)) {
+        const Vec3& at = mesh.positions[v];
+        path.points.push_back({{at.x(), at.y(), at.z()}, 1, {}});
+      }
+      paths.push_back(std::move(path));
+    }
+    const render::LineStyle style{ink_width, to_color(colors::ink), {}, render::LineDepth::Tested};
+    if (!paths.empty()) lines_[object.node] = render::make_line_item(paths, style);
+  }
 }
 
 std::optional<Ink> SilhouetteTool::ink() const {
@@ -188,6 +223,7 @@ void SilhouetteTool::follow_document() {
 
 void SilhouetteTool::follow_result() {
   sketch_.follow_result();
+  follow_lines();
   chips_.follow();
 }
 

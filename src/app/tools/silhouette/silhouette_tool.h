@@ -61,11 +61,13 @@ class SilhouetteTool final : public Tool {
  private:
   void add_sketch(const DrawingPlane& plane);
   bool has_view(int view) const;
+  void follow_lines();
   bool draws() const { return mode() == "draw" || mode() == "erase"; }
 
   SketchInteraction sketch_;
   SketchChips chips_;
   QLabel* hint_;
+  std::map<NodeId, render::LineItemPtr> lines_;  ///< drawn on the surfaces of objects
 };
 
 }  // namespace croquis::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/silhouette/sketch_chips.h"
 
+#include <QMenu>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,7 @@ SketchChips::SketchChips(Studio& studio, SketchTool& tool, Viewport& views)
       joint_row_(&views, "joint", true),
       nested_row_(&views, "nested", false),
       crossing_row_(&views, "crossing", false),
+      kind_row_(&views, "kind", false),
       thickness_(studio, views) {
   connect_rows();
 }
@@ -82,6 +84,8 @@ void SketchChips::connect_rows() {
     const StrokesInView& crossing = crossings_.at(number);
     set({crossing.behind, {}, crossing.front}, false);
   });
+  connect(&kind_row_, &ChipRow::clicked, this,
+          [this](std::size_t number) { ask_kind(kinds_.at(number), *kind_row_.chip(number)); });
   connect(&thickness_, &ThicknessHandle::wanted, this, &SketchChips::set);
 }
 
@@ -141,6 +145,45 @@ ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
            crossing.chosen ? Strength::Half : Strength::Plain}};
 }
 
+ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
+  const bool left_out = read.kind == StrokeKind::Ignored && !read.chosen;
+  const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
+  return {read.at,
+          {"stroke-kind",
+           word_of(read.kind),
+           tr("%1: %2. Click to make it something else").arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
+               found,
+           left_out      ? Strength::Warning
+           : read.chosen ? Strength::Half
+                         : Strength::Plain}};
+}
+
+/// A menu below the chip of what its stroke can be.
+void SketchChips::ask_kind(const ReadStroke& read, QWidget& chip) {
+  const Stroke* stroke = find_stroke(studio_.drawing(), read.stroke);
+  if (stroke == nullptr) return;
+  auto* menu = new QMenu(&chip);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setObjectName("kinds");
+  const auto offer = [&](StrokeKind kind, const QString& text) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QString::fromStdString("kind-" + silhouette::to_string(kind)));
+    action->setCheckable(true);
+    action->setChecked(kind == (read.chosen ? read.kind : StrokeKind::Visible));
+    connect(action, &QAction::triggered, this, [this, kind, id = read.stroke] { set({id, kind}, false); });
+  };
+  offer(StrokeKind::Visible, tr("As read from the drawing"));
+  menu->addSeparator();
+  std::vector<StrokeKind> kinds{StrokeKind::Contour, StrokeKind::Detail, StrokeKind::Scribble};
+  if (stroke->closed)
+    kinds.insert(kinds.begin() + 1, {StrokeKind::Part, StrokeKind::Hole, StrokeKind::Blob});
+  else
+    kinds.insert(kinds.begin() + 1, StrokeKind::Tube);
+  kinds.push_back(StrokeKind::Ignored);
+  for (const StrokeKind kind : kinds) offer(kind, word_of(kind));
+  menu->popup(chip.mapToGlobal(QPoint(0, chip.height() + 2)));
+}
+
 void SketchChips::follow() {
   const auto result = studio_.result();
   const InflateResult* inflated = result_of<InflateResult>(result.get());
@@ -152,6 +195,7 @@ void SketchChips::follow() {
   joints_ = joints_of(known, attach(), is_final);
   nested_ = nested_outlines(known, drawing);
   crossings_ = crossings_in_view(known, drawing);
+  kinds_ = read_strokes(known, drawing, tool_.selected());
   const ChosenPart part = chosen_part(known, drawing, tool_.selected());
   const auto chips_of = [this](const auto& items) {
     std::vector<ChipRow::Chip> chips;
@@ -170,6 +214,7 @@ void SketchChips::follow() {
   joint_row_.show(std::move(joint_chips));
   nested_row_.show(chips_of(nested_));
   crossing_row_.show(chips_of(crossings_));
+  kind_row_.show(chips_of(kinds_));
   thickness_.follow(part, name_of(part.stroke));
 }
 
@@ -178,6 +223,7 @@ void SketchChips::place(ChipPlaces& places, bool shown) {
   crossing_row_.place(places, shown);
   nested_row_.place(places, shown);
   joint_row_.place(places, shown);
+  kind_row_.place(places, shown);
 }
 
 // ---- What they do

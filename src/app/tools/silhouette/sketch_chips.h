@@ -15,8 +15,8 @@
 
 namespace croquis::app {
 
-/// Buttons over the views for how the drawing is read: how two parts are held, whether an inner outline is a hole or a
-/// part, which of two outlines that cross lies in front, and how thick the selected part is.
+/// Buttons over the views for how the drawing is read: how two parts are held, what a stroke is, whether an inner
+/// outline is a hole or a part, which of two outlines that cross lies in front, and how thick the selected part is.
 class SketchChips : public QObject {
   Q_OBJECT
 
@@ -42,6 +42,8 @@ class SketchChips : public QObject {
   ChipRow::Chip chip_of(const Joint& joint) const;
   ChipRow::Chip chip_of(const NestedStroke& nested) const;
   ChipRow::Chip chip_of(const StrokesInView& crossing) const;
+  ChipRow::Chip chip_of(const ReadStroke& read) const;
+  void ask_kind(const ReadStroke& read, QWidget& chip);
 
   AttachText attach() const;
   void set_attach(const AttachText& attach, const QString& step, bool dragging);
@@ -50,12 +52,13 @@ class SketchChips : public QObject {
 
   Studio& studio_;
   SketchTool& tool_;
-  ChipRow joint_row_, nested_row_, crossing_row_;
+  ChipRow joint_row_, nested_row_, crossing_row_, kind_row_;
   ThicknessHandle thickness_;
   std::vector<Body> bodies_;
   std::vector<Joint> joints_;
   std::vector<NestedStroke> nested_;
   std::vector<StrokesInView> crossings_;
+  std::vector<ReadStroke> kinds_;
   std::optional<double> dragged_from_;  ///< the number that the chip under way began with
 };
 
