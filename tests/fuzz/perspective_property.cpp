@@ -63,7 +63,8 @@ std::string broken_drawing(const PerspectiveDrawing& drawing, bool from_svg) {
   if (written.find("\xef\xbf\xbd") != std::string::npos) return "";  // bytes that are no UTF-8 don't come back
   const PerspectiveDrawing json = read_perspective_json(written, "fuzzed").drawing;
   if (!same_drawing(drawing, json)) return "the written JSON reads back differently";
-  if (!from_svg) return "";
+  const bool has_controls = written.find("\\u00") != std::string::npos;  // XML has no such characters
+  if (!from_svg || has_controls) return "";
   const PerspectiveDrawing svg = read_perspective_svg(write_perspective_svg(json), "fuzzed", progress).drawing;
   return same_drawing(drawing, svg) ? "" : "the written SVG reads back differently";
 }
