@@ -37,6 +37,10 @@ void bench_silhouette_depth(std::ostream& out);  ///< how parts lie behind one a
 /// @param words "tuning" for the seeds that rules were tuned on; a folder for the drawings that aren't read
 void bench_silhouette_hand(std::ostream& out, const std::vector<std::string>& words);
 
+/// What becomes of sketches that other people drew: solids, what the strokes were read as, and the time.
+/// @param words a folder of .svg files
+void bench_strangers(std::ostream& out, const std::vector<std::string>& words);
+
 void bench_silhouette_finish(std::ostream& out);  ///< joined parts and the meshes of silhouettes
 void bench_subdivision(std::ostream& out);
 void bench_surface(std::ostream& out);

@@ -31,6 +31,7 @@ const std::map<std::string, Bench>& benches() {
                                                    {"silhouette-finish", plain(bench_silhouette_finish)},
                                                    {"silhouette-hand", bench_silhouette_hand},
                                                    {"solver", plain(bench_solver)},
+                                                   {"strangers", bench_strangers},
                                                    {"subdivision", plain(bench_subdivision)},
                                                    {"surface", plain(bench_surface)}};
   return all;
@@ -41,7 +42,7 @@ using Choice = std::pair<std::string, std::vector<std::string>>;
 
 bool takes_words(const std::string& bench) {
   return bench == "holes" || bench == "holes-wild" || bench == "remesh-adaptive" || bench == "remesh-wild" ||
-         bench == "silhouette-hand";
+         bench == "silhouette-hand" || bench == "strangers";
 }
 
 /// Words that are no benchmark's name belong to the one before them that takes words. @return whether all words mean
@@ -56,7 +57,7 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
       std::cerr << "There is no benchmark '" << word
                 << "': use holes, holes-wild, implicit, perspective, readers, remesh, remesh-adaptive, remesh-wild, "
                    "silhouette, "
-                   "silhouette-depth, silhouette-finish, silhouette-hand, solver, subdivision or surface.\n";
+                   "silhouette-depth, silhouette-finish, silhouette-hand, solver, strangers, subdivision or surface.\n";
       return false;
     }
   }
