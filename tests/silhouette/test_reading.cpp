@@ -159,6 +159,7 @@ TEST_CASE("a reading is the same for any order, direction, place, size and turn 
   check(translated(sketch, {5000, -300}).drawing);
   check(scaled(sketch, 1e-3).drawing);
   check(scaled(sketch, 1e4).drawing);
+  check(scaled(sketch, 1e20).drawing);
   for (const double turn : {0.4, 1.9}) check(rotated(sketch, turn).drawing);
   check(mirrored(sketch).drawing);
 }

@@ -134,6 +134,10 @@ void solve_plain(PlainProblem& plain) {
   glp_free_env();
 }
 
+[[noreturn]] void throw_refused() {
+  throw Error(make_error(Category::Internal, "E_INTERNAL", "The integer program of the drawing was refused by GLPK"));
+}
+
 }  // namespace
 
 Index IntegerProgram::add_variable(double lower, double upper, double cost) {
@@ -198,15 +202,27 @@ std::vector<IntegerProgram::Part> IntegerProgram::parts() const {
   return parts;
 }
 
+/// The best value of a variable that is in no row; none where it has no bound, or bounds that contradict.
+std::optional<int> IntegerProgram::free_value() const {
+  const Variable& only = variables_.front();
+  double best = std::max(only.lower, std::min(only.upper, 0.0));
+  if (only.cost != 0) best = only.cost > 0 ? only.lower : only.upper;
+  if (!std::isfinite(best) || !(only.lower <= only.upper)) return std::nullopt;
+  return static_cast<int>(std::lround(best));
+}
+
 IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) const {
   Solution solution;
   for (const Row& row : rows_) {
     if (row.terms.empty() && (row.lower > 0 || row.upper < 0)) return solution;
+    if (!row.terms.empty() && row.terms.back().variable >= variables_.size()) throw_refused();
   }
   std::vector<int> values(variables_.size(), 0);
   bool limited = false;
   for (const Part& part : parts()) {
-    const Solution own = part.program.solve_connected(std::max(1, maximum_nodes - solution.nodes), gap);
+    const int nodes = std::max(1, maximum_nodes - solution.nodes);
+    const std::optional<int> free = part.program.rows_.empty() ? part.program.free_value() : std::nullopt;
+    const Solution own = free ? Solution{Status::Optimal, {*free}, 0} : part.program.solve_connected(nodes, gap);
     solution.nodes += own.nodes;
     solution.status = own.status;
     limited = limited || own.status == Status::Limit;
@@ -220,14 +236,6 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) co
 
 IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, double gap) const {
   Solution solution;
-  const Variable& only = variables_.front();
-  double best = std::max(only.lower, std::min(only.upper, 0.0));
-  if (only.cost != 0) best = only.cost > 0 ? only.lower : only.upper;
-  if (rows_.empty() && std::isfinite(best) && only.lower <= only.upper) {
-    solution.status = Status::Optimal;
-    solution.values = {static_cast<int>(std::lround(best))};
-    return solution;
-  }
   std::vector<int> term_row{0};
   std::vector<int> term_column{0};
   std::vector<double> term_factor{0};
@@ -271,10 +279,7 @@ IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, doub
                      0};
   std::thread(solve_plain, std::ref(plain)).join();
   if (plain.outcome == 3 && plain.out_of_memory) throw std::bad_alloc();
-  if (plain.outcome == 3) {
-    throw Error(
-        make_error(Category::Internal, "E_INTERNAL", "The integer program of the labelling was refused by GLPK"));
-  }
+  if (plain.outcome == 3) throw_refused();
   solution.status = plain.outcome == 0 ? Status::Optimal : plain.outcome == 1 ? Status::Infeasible : Status::Limit;
   solution.nodes = plain.nodes;
   if (!plain.has_values) return solution;

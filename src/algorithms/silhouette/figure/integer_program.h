@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
@@ -45,6 +46,7 @@ class IntegerProgram {
  private:
   struct Part;
   std::vector<Part> parts() const;
+  std::optional<int> free_value() const;
   Solution solve_connected(int maximum_nodes, double gap) const;
 
   struct Variable {

@@ -125,8 +125,20 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using Polygons = bg::model::multi_polygon<bg::model::polygon<BoostPoint>>;
 
+/// Coordinates in which a drawing of any size is small: Boost counts in whole numbers.
+struct SmallFrame {
+  Vec2 origin = Vec2::Zero();
+  double unit = 1;
+
+  BoostPoint to(const Vec2& place) const {
+    const Vec2 at = (place - origin) / unit;
+    return {at.x(), at.y()};
+  }
+  Vec2 from(const BoostPoint& point) const { return origin + unit * Vec2(point.x(), point.y()); }
+};
+
 /// Everything within the radius of a limb: the hulls of neighbouring circles.
-Polygons around(const Limb& limb) {
+Polygons around(const Limb& limb, const SmallFrame& frame) {
   using Polygon = Polygons::value_type;
   Polygons all;
   for (std::size_t i = 0; i + 1 < limb.line.size(); ++i) {
@@ -134,8 +146,7 @@ Polygons around(const Limb& limb) {
     for (const std::size_t k : {i, i + 1}) {
       for (int corner = 0; corner < circle_points; ++corner) {
         const double angle = corner * 2 * std::numbers::pi / circle_points;
-        const Vec2 at = limb.line[k] + limb.radius[k] * Vec2(std::cos(angle), std::sin(angle));
-        circles.emplace_back(at.x(), at.y());
+        circles.push_back(frame.to(limb.line[k] + limb.radius[k] * Vec2(std::cos(angle), std::sin(angle))));
       }
     }
     Polygon hull;
@@ -180,16 +191,18 @@ std::vector<CleanLine> tube_outlines(const SampledDrawing& sampled, const Readin
     if (reading.kinds[s] == LineKind::Tube) search.add(sampled.strokes[s]);
   }
   const std::vector<Limb> limbs = search.take();
+  if (limbs.empty()) return {};
+  const SmallFrame frame{limbs.front().line.front(), sampled.scale.unit};
   Polygons all;
   for (const Limb& limb : limbs) {
     Polygons joined;
-    bg::union_(all, around(limb), joined);
+    bg::union_(all, around(limb, frame), joined);
     all = std::move(joined);
   }
   std::vector<CleanLine> lines;
   for (const auto& polygon : all) {
     Points ring;
-    for (const BoostPoint& point : polygon.outer()) ring.emplace_back(point.x(), point.y());
+    for (const BoostPoint& point : polygon.outer()) ring.push_back(frame.from(point));
     ring.pop_back();  // the first one again
     if (signed_area(ring) < 0) std::ranges::reverse(ring);
     lines.push_back(line_of(ring, limbs, sampled.scale.step));
