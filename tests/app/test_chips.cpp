@@ -176,6 +176,8 @@ TEST_CASE("a mark is small, and its sentence is shown while the pointer is on it
   Viewport& view = hand.viewport();
   hand.look_at({-250, -250}, {250, 250});
   hand.draw({{-150, -40}, {-50, 0}, {60, 10}, {150, 60}});
+  hand.sketch().tool().set({"stroke 1", silhouette::StrokeKind::Contour});  // which it can't be
+  hand.settle();
   const QImage picture = hand.picture();
   const auto move_to = [&](const QPointF& place) {
     hand.send_mouse(QEvent::MouseMove, place, Qt::NoButton, Qt::NoModifier);

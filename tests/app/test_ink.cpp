@@ -303,7 +303,8 @@ TEST_CASE("what is computed while a stroke is under way is shown when it has end
   hand.look_at({-200, -200}, {200, 200});
   int told = 0;
   QObject::connect(&hand.studio(), &app::Studio::result_changed, [&] { ++told; });
-  hand.draw(arc(120, 0, 4.5, 60));  // open: an error, when it is computed
+  hand.draw(arc(120, 0, 1.5, 60));
+  hand.sketch().tool().set({"stroke 1", silhouette::StrokeKind::Contour});  // an error, when it is computed
   hand.begin_stroke(arc(120, 4.5, 5, 10));
   told = 0;
   hand.settle();

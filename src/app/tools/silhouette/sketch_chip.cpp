@@ -101,10 +101,11 @@ void ChipRow::show(std::vector<Chip> chips) {
   for (std::size_t i = chips_.size(); i < buttons_.size(); ++i) buttons_[i]->hide();
 }
 
-void ChipRow::place(ChipPlaces& places, bool shown) {
+void ChipRow::place(ChipPlaces& places, bool shown, bool drawn_through) {
   const ViewPane& pane = places.layout().pane(SketchView);
   for (std::size_t i = 0; i < chips_.size(); ++i) {
     SketchChip& button = *buttons_[i];
+    button.setAttribute(Qt::WA_TransparentForMouseEvents, drawn_through);
     const Vec2 pixel = pane.sketch_frame().to_pixel(chips_[i].at);
     const QPointF at = pane.rect.topLeft() + QPointF(pixel.x(), pixel.y() - chips_[i].above);
     if (shown && pane.visible() && pane.rect.contains(at))

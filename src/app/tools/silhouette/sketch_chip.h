@@ -67,7 +67,8 @@ class ChipRow : public QObject {
   void show(std::vector<Chip> chips);
 
   /// @param shown false while a stroke is under way: nothing covers it
-  void place(ChipPlaces& places, bool shown);
+  /// @param drawn_through the pointer goes through them, so that a stroke can begin there
+  void place(ChipPlaces& places, bool shown, bool drawn_through = false);
 
   SketchChip* chip(std::size_t number) const { return buttons_.at(number); }
 

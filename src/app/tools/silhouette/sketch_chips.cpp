@@ -31,6 +31,14 @@ ChipRow::Chip beside(ChipRow::Chip chip, const Stroke& outline, bool above) {
   return chip;
 }
 
+/// Whether an object is a limb of one line.
+bool is_tube(const InflateResult& inflated, const std::string& name) {
+  const auto object = std::ranges::find(inflated.objects, name, &InflatedObject::name);
+  return object != inflated.objects.end() && std::ranges::all_of(object->strokes, [&](const std::string& id) {
+           return std::ranges::count(inflated.kinds, std::pair(id, StrokeKind::Tube)) > 0;
+         });
+}
+
 double blend_after(double from, const QPointF& by) {
   return std::clamp(chip_number(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
 }
@@ -151,7 +159,7 @@ ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
   return {read.at,
           {"stroke-kind",
            word_of(read.kind),
-           tr("%1: %2. Click to make it something else").arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
+           tr("%1: %2. Click (with Q) to make it something else").arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
                found,
            left_out      ? Strength::Warning
            : read.chosen ? Strength::Half
@@ -193,6 +201,8 @@ void SketchChips::follow() {
   bodies_ = bodies_of(drawing, result.get());
   const bool is_final = result && !result->failed && !result->stale && result->quality == Quality::Final;
   joints_ = joints_of(known, attach(), is_final);
+  // Limbs of one line grow out of what they touch without being asked, and the next stroke may begin there.
+  std::erase_if(joints_, [&](const Joint& joint) { return is_tube(known, joint.a) || is_tube(known, joint.b); });
   nested_ = nested_outlines(known, drawing);
   crossings_ = crossings_in_view(known, drawing);
   kinds_ = read_strokes(known, drawing, tool_.selected());
@@ -223,7 +233,7 @@ void SketchChips::place(ChipPlaces& places, bool shown) {
   crossing_row_.place(places, shown);
   nested_row_.place(places, shown);
   joint_row_.place(places, shown);
-  kind_row_.place(places, shown);
+  kind_row_.place(places, shown, tool_.mode() == SketchMode::Draw);
 }
 
 // ---- What they do
