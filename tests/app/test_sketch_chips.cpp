@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people change about how a sketch is read: chips over the sketch, strokes drawn behind, pieces cut out.
 #include <QAction>
-#include <QMenu>
 #include <QDoubleSpinBox>
+#include <QMenu>
 #include <QTest>
 #include <cmath>
 

@@ -147,9 +147,8 @@ TEST_CASE("a sketch comes from standard input and a solid goes to standard outpu
 
 TEST_CASE("an outline that can't be one is named and no output is left") {
   const ScratchFolder folder;
-  const std::string sketch = folder.write(
-      "free.svg",
-      svg("<path id=\"tail\" data-kind=\"contour\"\n d=\"M 100 100 C 200 0 300 0 400 100 C 450 150 500 200 420 260\"/>"));
+  const std::string sketch = folder.write("free.svg", svg("<path id=\"tail\" data-kind=\"contour\"\n d=\"M 100 100 C "
+                                                          "200 0 300 0 400 100 C 450 150 500 200 420 260\"/>"));
   const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json"});
   CHECK(result.code == 4);
   const Json error = report_of(result).at("error");
@@ -172,7 +171,8 @@ TEST_CASE("each fault of a sketch is told with its strokes, and a refused sketch
   for (const ErrorSketch& wrong : error_sketches()) {
     const ScratchFolder folder;
     const std::string sketch = folder.write("wrong.svg", to_svg(wrong.drawing));
-    const ProcessResult result = run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json", "--quiet", "--preset", "clean"});
+    const ProcessResult result =
+        run_cli({"inflate", sketch, "-o", folder / "a.obj", "--json", "--quiet", "--preset", "clean"});
     INFO(wrong.code << " " << result.err);
     const Json report = report_of(result);
     const bool refused = result.code == 4;

@@ -182,7 +182,8 @@ TEST_CASE("a character of full ellipses is read part by part") {
   CHECK(counts_of(labelled) == counts_of(sketch.truth));
   CHECK(labelled.crossings.size() == 7);
   CHECK(counts_of(label_in_view(reversed_strokes(drawing))) == counts_of(sketch.truth));
-  for (const Finding& finding : findings_of(drawing, Options::of(silhouette::Preset::Clean))) CHECK(finding.code == "E_CROSS");
+  for (const Finding& finding : findings_of(drawing, Options::of(silhouette::Preset::Clean)))
+    CHECK(finding.code == "E_CROSS");
 }
 
 TEST_CASE("the hidden piece of an outline that was drawn in full is the one that was drawn") {

@@ -61,7 +61,8 @@ StrokeReading read_setting(Fields& fields) {
   step.stroke = fields.text("stroke");
   if (fields.has("kind")) {
     step.kind = silhouette::stroke_kind(fields.text("kind"));
-    if (!step.kind) throw Mistake{"\"kind\" must be contour, part, hole, blob, detail, scribble, tube, ignored or visible"};
+    if (!step.kind)
+      throw Mistake{"\"kind\" must be contour, part, hole, blob, detail, scribble, tube, ignored or visible"};
   }
   if (fields.has("in-front-of")) step.in_front_of = fields.text("in-front-of");
   if (fields.has("thickness")) {

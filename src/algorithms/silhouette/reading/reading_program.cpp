@@ -129,8 +129,8 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
              (line.closed ? costs::closed_detail + 4 * size : 0) + costs::detail_outside * outside;
     case LineKind::Tube:
-      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) + costs::tube_size * size +
-             (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
+      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
+             costs::tube_size * size + (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
     case LineKind::Ignored:
       return costs::ignored + costs::outline_left_out * seen +
              costs::ignored_length * share_in(line.length, total_length_);

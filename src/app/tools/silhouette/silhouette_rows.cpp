@@ -53,7 +53,8 @@ std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId nod
     if (used.contains(stroke.id)) continue;
     const auto kind = kinds.find(stroke.id);
     const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
-    rows.push_back({name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
+    rows.push_back(
+        {name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
   }
   return rows;
 }

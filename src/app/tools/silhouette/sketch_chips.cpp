@@ -157,9 +157,9 @@ ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
   const bool left_out = read.kind == StrokeKind::Ignored && !read.chosen;
   const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
   return {read.at,
-          {"stroke-kind",
-           word_of(read.kind),
-           tr("%1: %2. Click (with Q) to make it something else").arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
+          {"stroke-kind", word_of(read.kind),
+           tr("%1: %2. Click (with Q) to make it something else")
+                   .arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
                found,
            left_out      ? Strength::Warning
            : read.chosen ? Strength::Half
