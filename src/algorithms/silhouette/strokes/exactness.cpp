@@ -15,8 +15,10 @@ constexpr double exact_miss = 1;  // u
 constexpr double most_exact = 0.9;
 // The part of the own stroke that an end doesn't lie on.
 constexpr double own_part = 40;  // u
-// Curves have less jitter, in steps.
+// Curves have less jitter, in steps, but for so many of their samples, which lie beside corners. Polylines of few
+// points have corners everywhere.
 constexpr double smooth_jitter = 0.01;
+constexpr double samples_at_corners = 0.2;
 
 }  // namespace
 
@@ -56,9 +58,10 @@ bool are_smooth(const std::vector<SampledStroke>& strokes, const DrawingScale& s
     }
   }
   if (sizes.empty()) return true;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle < smooth_jitter * scale.step;
+  const auto place = (1 - samples_at_corners) * static_cast<double>(sizes.size());
+  const auto jitter = sizes.begin() + static_cast<std::ptrdiff_t>(place);
+  std::ranges::nth_element(sizes, jitter);
+  return *jitter < smooth_jitter * scale.step;
 }
 
 }  // namespace croquis::silhouette
