@@ -27,14 +27,6 @@ namespace {
 // leaves no three points on a line.
 constexpr double displacement = 1e-7;
 
-/// A number in [-1,1) from a counter (splitmix64, Steele, Lea and Flood 2014).
-double scattered(std::uint64_t counter) {
-  std::uint64_t z = (counter + 1) * 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return static_cast<double>(z >> 11) * 0x1p-52 - 1;
-}
-
 /// A start for a line's counter that no other line shares, and that stays the same while other lines change: then the
 /// parts of the drawing made of those don't.
 std::uint64_t seed_of(const CleanLine& line) {

@@ -7,13 +7,13 @@
 #include <cstring>
 #include <functional>
 #include <new>
-#include <numeric>
 #include <thread>
 #include <utility>
 
 #include <glpk.h>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -171,27 +171,17 @@ struct IntegerProgram::Part {
 };
 
 std::vector<IntegerProgram::Part> IntegerProgram::parts() const {
-  std::vector<Index> root(variables_.size());
-  std::iota(root.begin(), root.end(), Index{0});
-  const auto root_of = [&](Index v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
+  DisjointSets connected(variables_.size());
   for (const Row& row : rows_) {
-    for (const Term& term : row.terms) {
-      const Index a = root_of(row.terms.front().variable), b = root_of(term.variable);
-      root[std::max(a, b)] = std::min(a, b);
-    }
+    for (const Term& term : row.terms) connected.unite(row.terms.front().variable, term.variable);
   }
-  std::vector<Part> parts;
-  std::vector<Index> part(variables_.size()), number(variables_.size());
+  std::vector<Index> part, number;
+  std::vector<Part> parts(connected.number(part));
   for (Index v = 0; v < variables_.size(); ++v) {
-    const Index first = root_of(v);
-    part[v] = first == v ? static_cast<Index>(parts.size()) : part[first];
-    if (first == v) parts.emplace_back();
-    number[v] = static_cast<Index>(parts[part[v]].variables.size());
-    parts[part[v]].variables.push_back(v);
-    parts[part[v]].program.variables_.push_back(variables_[v]);
+    Part& own = parts[part[v]];
+    number.push_back(static_cast<Index>(own.variables.size()));
+    own.variables.push_back(v);
+    own.program.variables_.push_back(variables_[v]);
   }
   for (const Row& row : rows_) {
     if (row.terms.empty()) continue;

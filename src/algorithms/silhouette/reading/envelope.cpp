@@ -6,7 +6,6 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -35,14 +34,6 @@ constexpr double least_area = 0.002;
 constexpr double displacement = 1e-3;
 constexpr int frame_points = 24;
 constexpr double frame_radius = 1.2;
-
-/// A number in [-1,1) that looks random, from a counter.
-double scattered(std::uint64_t counter) {
-  std::uint64_t z = (counter + 1) * 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return static_cast<double>(z >> 11U) * 0x1p-52 - 1;
-}
 
 /// The samples of all lines, each place once.
 struct Ink {

@@ -59,8 +59,6 @@ class ReadingProgram {
   /// what others are told to be, ascending.
   std::vector<Index> contradictions() const;
 
-  std::size_t region_count() const { return envelope_.regions.size(); }
-
  private:
   static constexpr std::size_t kind_count = 5;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,14 @@
 namespace croquis::silhouette {
 
 using Points = std::vector<Vec2>;
+
+/// A number in [-1,1) from a counter (splitmix64, Steele, Lea and Flood 2014).
+inline double scattered(std::uint64_t counter) {
+  std::uint64_t z = (counter + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<double>(z >> 11) * 0x1p-52 - 1;
+}
 
 /// The place at a parameter; of a closed line parameters run on through the closing segment.
 Vec2 point_at(std::span<const Vec2> points, double parameter);
