@@ -21,6 +21,7 @@ ContourPath closed_path(Points points) {
   path.drawn.assign(path.points.size(), ContourPath::Drawn::Yes);
   path.cut.assign(path.points.size(), 0.0);
   path.stroke.assign(path.points.size(), 0);
+  path.line.assign(path.points.size(), 0);
   return path;
 }
 
@@ -63,7 +64,7 @@ TEST_CASE("crossings are found as by testing all pairs, each contour passing thr
           closed_path(circle({random.between(0, 100), random.between(0, 100)}, random.between(10, 60), 40)));
     }
     for (const double merging : {0.15, 1e-4}) {
-      const Arrangement made = cross_contours(paths, 5, merging);
+      const Arrangement made = cross_contours(paths, {}, 5, merging);
       CHECK(static_cast<int>(made.crossings.size()) == count_crossings(paths));
       for (const ContourCrossing& crossing : made.crossings) {
         CHECK(made.contours[crossing.contour_a].vertices[crossing.position_a] == crossing.vertex);
@@ -74,7 +75,8 @@ TEST_CASE("crossings are found as by testing all pairs, each contour passing thr
 }
 
 TEST_CASE("two crossing discs have three faces with the right windings and areas") {
-  const Arrangement made = cross_contours({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))}, 5, 0.15);
+  const Arrangement made =
+      cross_contours({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))}, {}, 5, 0.15);
   CHECK(made.crossings.size() == 2);
   CHECK(made.arcs.size() == 4);
   const FacesResult found = find_faces(made);
@@ -91,7 +93,8 @@ TEST_CASE("two crossing discs have three faces with the right windings and areas
 TEST_CASE("nested contours are wound without crossing anything") {
   Points inner = circle({0, 0}, 20);
   std::reverse(inner.begin(), inner.end());
-  const FacesResult found = find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, 5, 0.15));
+  const FacesResult found =
+      find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, {}, 5, 0.15));
   REQUIRE(found.faces.winding.size() == 3);
   for (std::size_t f = 1; f < 3; ++f) {
     const bool ring = found.faces.area[f] > 5000;
@@ -101,7 +104,7 @@ TEST_CASE("nested contours are wound without crossing anything") {
 
 TEST_CASE("contours that lie on one another are a conflict, not a crash") {
   const Points points = circle({0, 0}, 50);
-  CHECK_FALSE(find_faces(cross_contours({closed_path(points), closed_path(points)}, 5, 0.15)).conflicts.empty());
+  CHECK_FALSE(find_faces(cross_contours({closed_path(points), closed_path(points)}, {}, 5, 0.15)).conflicts.empty());
 }
 
 TEST_CASE("turning numbers count the turns of a loop") {

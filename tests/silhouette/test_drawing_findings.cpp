@@ -159,11 +159,11 @@ TEST_CASE("a drawing of scribbles reaches a limit instead of taking forever") {
   CHECK(findings.front().category == Category::Limit);
 }
 
-TEST_CASE("a search that may try nothing says so") {
+TEST_CASE("a search that may try nothing finds no solid") {
   silhouette::Options options;
   options.completion.maximum_matchings = 0;
   const Findings findings = findings_of(trefoil_sketch().drawing, options);
-  CHECK(codes(findings) == std::vector<std::string>{"E_LIMIT"});
+  CHECK(codes(findings) == std::vector<std::string>{"E_NO_LABELLING"});
 }
 
 TEST_CASE("random strokes are labelled or refused, never crash or hang") {

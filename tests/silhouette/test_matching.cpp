@@ -52,7 +52,7 @@ TEST_CASE("matchings come in order of cost and all of them come") {
     collect_costs(edges, matched, 0, expected);
     std::sort(expected.begin(), expected.end());
 
-    MatchingSearch search(nodes, edges, 1'000'000);
+    MatchingSearch search(nodes, edges, 100'000);
     std::vector<double> found;
     while (const auto matching = search.next()) {
       double cost = 0;
@@ -63,7 +63,7 @@ TEST_CASE("matchings come in order of cost and all of them come") {
         ++uses[edges[e].b];
       }
       CHECK(std::count(uses.begin(), uses.end(), 1) == static_cast<std::ptrdiff_t>(nodes));
-      CHECK(cost == Approx(search.last_cost()));
+      CHECK((found.empty() || cost >= found.back() - 1e-9));
       found.push_back(cost);
     }
     REQUIRE(found.size() == expected.size());
@@ -81,7 +81,7 @@ TEST_CASE("no nodes have one empty matching, an odd number none") {
 
 TEST_CASE("a matching search tells when it stops early") {
   Random random(5);
-  MatchingSearch search(20, random_edges(random, 20, 1.0), 30);
+  MatchingSearch search(20, random_edges(random, 20, 1.0), 5);
   while (search.next()) {
   }
   CHECK(search.limit_reached());
@@ -97,7 +97,7 @@ TEST_CASE("the cheapest pairing of 64 ends with known sides is found at once") {
   for (Index a = 0; a < 64; a += 2) {
     for (Index b = 1; b < 64; b += 2) edges.push_back({a, b, distance(a, b)});
   }
-  MatchingSearch search(64, edges, 20'000);
+  MatchingSearch search(64, edges, 20);
   const auto matching = search.next();
   REQUIRE(matching.has_value());
   // No exchange of partners between two pairs makes it cheaper.

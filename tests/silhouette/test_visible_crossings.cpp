@@ -190,7 +190,8 @@ TEST_CASE("the hidden piece of an outline that was drawn in full is the one that
   const LabelledDrawing labelled = label_in_view(two_circles(130));
   REQUIRE(labelled.figures.size() == 1);
   const LabelledFigure& figure = labelled.figures.front();
-  CHECK(figure.completions.size() == 1);
+  CHECK(figure.completions.empty());
+  CHECK(std::ranges::count_if(figure.arcs, [](const auto& arc) { return !arc.visible && arc.depth == 1; }) == 1);
   for (const auto& contour : figure.contours) {
     const bool first = contour.strokes == std::vector<Index>{0};
     for (const Index v : contour.vertices) {

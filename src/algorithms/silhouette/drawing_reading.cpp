@@ -138,6 +138,21 @@ std::vector<StrokeKind> kinds_of(const Material& material, const Reading& readin
   return kinds;
 }
 
+/// What is drawn is seen: a line that all of what was drawn later covers is no contour.
+Findings covered_lines(const Drawing& drawing, const LabelledDrawing& labelled) {
+  Findings findings;
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (Index c = 0; c < figure.contours.size(); ++c) {
+      const auto is_seen = [c](const FigureArc& arc) { return arc.contour == c && arc.visible; };
+      if (std::ranges::any_of(figure.arcs, is_seen)) continue;
+      const Index stroke = figure.contours[c].strokes.front();
+      findings.push_back(
+          no_solid("all of " + in_quotes(drawing, stroke) + " would be covered", {stroke_subject(drawing, stroke)}));
+    }
+  }
+  return findings;
+}
+
 void mark_tubes(LabelledDrawing& labelled) {
   for (LabelledFigure& figure : labelled.figures) {
     for (FigureObject& object : figure.objects) {
@@ -158,36 +173,37 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   std::vector<CleanLine>& lines = contours.lines;
   Findings findings = material.sampled.findings;
   append(std::move(contours.findings), findings);
-  if (options.reach_share > 0) scale.tremble = tremble_of(lines, scale.step);
+  if (scale.reach_share > 0) scale.tremble = tremble_of(lines, scale.step);
   for (CleanLine& line : lines) {
     for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }
-  const std::vector<MetBar> met = meet_bars(lines, contours.targets, scale);
+  meet_bars(lines, contours.targets, scale);
   for (CleanLine& line : tube_outlines(material.sampled, reading, lines)) lines.push_back(std::move(line));
   const bool tubes_only = options.crossings != Crossings::Front;
-  VisibleCrossings crossed = cut_visible_crossings(drawing, lines, scale, tubes_only, progress);
+  VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
+  meet_bars(lines, contours.targets, scale);  // bars may have moved
   ToldHidden told = told_hidden(drawing, material.sampled.hidden, lines, scale);
-  std::vector<HiddenPiece> pieces = std::move(crossed.pieces);
-  pieces.insert(pieces.end(), told.pieces.begin(), told.pieces.end());
-  Junctions junctions = find_junctions(drawing, lines, met, std::move(pieces), scale, progress);
+  Junctions junctions =
+      find_junctions(drawing, lines, contours.targets, std::move(told.pieces), order, scale, progress);
   std::move(told.findings.begin(), told.findings.end(), std::back_inserter(junctions.findings));
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
   Options bounded = material.options;
   bounded.completion.maximum_matchings = std::min(bounded.completion.maximum_matchings, matchings);
-  const FigureContext context{drawing, bounded, scale, lines, junctions, completion_reference(lines, junctions)};
+  const FigureContext context{drawing, bounded, scale, lines, junctions, order, completion_reference(lines, junctions)};
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
-  result.crossings = std::move(crossed.pairs);
+  result.crossings = std::move(order.pairs);
   std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.tube; });
   result.kinds = kinds_of(material, reading);
   mark_tubes(result);
   add_nested(drawing, result);
   mark_whole_outlines(result);
-  append(std::move(crossed.findings), findings);
+  append(std::move(order.findings), findings);
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   append(std::move(result.findings), findings);
+  append(covered_lines(drawing, result), findings);
   for (const LabelledFigure& figure : result.figures) append(nested_findings(drawing, figure), findings);
   result.findings = std::move(findings);
   return result;

@@ -12,6 +12,7 @@ namespace croquis::silhouette {
 namespace {
 
 using Drawn = ContourPath::Drawn;
+using LinePairs = std::set<std::pair<Index, Index>>;
 
 /// A crossing as seen by one of its two segments.
 struct Passage {
@@ -73,8 +74,10 @@ RawCrossings find_crossings(const std::vector<ContourPath>& contours, double spa
 /// Builds the contours with their crossings, one after the other.
 class Crosser {
  public:
-  Crosser(const std::vector<ContourPath>& contours, double spacing, double merging)
-      : paths_(contours), merging_(merging), raw_(find_crossings(contours, spacing)) {}
+  Crosser(const std::vector<ContourPath>& contours, const LinePairs& in_front, double spacing, double merging)
+      : paths_(contours), in_front_(in_front), merging_(merging), raw_(find_crossings(contours, spacing)) {
+    for (const auto& [front, behind] : in_front) behind_.insert(behind);
+  }
 
   Arrangement build() {
     result_.points = raw_.places;
@@ -83,6 +86,7 @@ class Crosser {
       result_.crossings[k].vertex = k;
       result_.crossings[k].sign = raw_.signs[k];
     }
+    order_drawn_lines();
     auto passage = raw_.passages.cbegin();
     for (Index c = 0; c < paths_.size(); ++c) {
       const auto end = std::find_if(passage, raw_.passages.cend(), [c](const Passage& p) { return p.contour != c; });
@@ -94,6 +98,19 @@ class Crosser {
   }
 
  private:
+  /// What is drawn over what is drawn.
+  void order_drawn_lines() {
+    std::vector<std::array<Index, 2>> lines(raw_.places.size(), {no_index, no_index});  // a's, b's
+    for (const Passage& passage : raw_.passages) {
+      lines[passage.crossing][passage.is_a ? 0 : 1] = paths_[passage.contour].line[passage.segment];
+    }
+    for (Index k = 0; k < lines.size(); ++k) {
+      const auto [a, b] = lines[k];
+      if (in_front_.contains({a, b})) result_.crossings[k].over = ContourCrossing::Over::A;
+      if (in_front_.contains({b, a})) result_.crossings[k].over = ContourCrossing::Over::B;
+    }
+  }
+
   void build_contour(Index c, const std::vector<Passage>& passages) {
     const ContourPath& path = paths_[c];
     const auto count = static_cast<Index>(path.points.size());
@@ -106,14 +123,15 @@ class Crosser {
                              (!before.empty() && before.back().fraction > 1 - merging_);
       const std::optional<std::size_t> cut = cut_of(path, i, on_segment[i]);
       const bool drawn_first = path.drawn[i] == Drawn::Yes || path.drawn[i] == Drawn::UntilCut;
-      if (!gives_way) append(contour, new_point(path.points[i]), drawn_first, path.stroke[i]);
+      if (!gives_way) append(contour, new_point(path.points[i]), drawn_first, path, i);
       if (gives_way && !contour.vertices.empty() && on_segment[i].empty()) {
         // The sample is gone: its segment now starts at the crossing before it.
         contour.drawn.back() = drawn_first;
         contour.stroke.back() = path.stroke[i];
+        contour.line.back() = path.line[i];
       }
       for (std::size_t k = 0; k < on_segment[i].size(); ++k) {
-        append_crossing(c, on_segment[i][k], drawn_after(path.drawn[i], cut, k), path.stroke[i]);
+        append_crossing(c, on_segment[i][k], drawn_after(path.drawn[i], cut, k));
         if (cut == k) fix_over(on_segment[i][k]);
       }
     }
@@ -127,6 +145,7 @@ class Crosser {
     if (on_segment.back().back().fraction <= 1 - merging_) return;
     contour.drawn.back() = path.drawn.front() == Drawn::Yes || path.drawn.front() == Drawn::UntilCut;
     contour.stroke.back() = path.stroke.front();
+    contour.line.back() = path.line.front();
   }
 
   Index new_point(const Vec2& place) {
@@ -134,19 +153,20 @@ class Crosser {
     return static_cast<Index>(result_.points.size() - 1);
   }
 
-  static void append(CrossedContour& contour, Index vertex, bool drawn, Index stroke) {
+  static void append(CrossedContour& contour, Index vertex, bool drawn, const ContourPath& path, Index segment) {
     contour.vertices.push_back(vertex);
     contour.drawn.push_back(drawn ? 1 : 0);
-    contour.stroke.push_back(stroke);
+    contour.stroke.push_back(path.stroke[segment]);
+    contour.line.push_back(path.line[segment]);
   }
 
-  void append_crossing(Index c, const Passage& passage, bool drawn, Index stroke) {
+  void append_crossing(Index c, const Passage& passage, bool drawn) {
     CrossedContour& contour = result_.contours[c];
     ContourCrossing& crossing = result_.crossings[passage.crossing];
     const auto position = static_cast<Index>(contour.vertices.size());
     (passage.is_a ? crossing.contour_a : crossing.contour_b) = c;
     (passage.is_a ? crossing.position_a : crossing.position_b) = position;
-    append(contour, crossing.vertex, drawn, stroke);
+    append(contour, crossing.vertex, drawn, paths_[c], passage.segment);
   }
 
   /// Which of the crossings on a stem's last segment is its bar's.
@@ -202,20 +222,23 @@ class Crosser {
   void append_arc(Index c, Index begin, Index length, Index base) {
     const CrossedContour& contour = result_.contours[c];
     const auto count = static_cast<Index>(contour.vertices.size());
-    double drawn = 0;
-    double all = 0;
+    double drawn = 0, behind = 0, all = 0;
     for (Index k = 0; k < length; ++k) {
       const Index i = (begin + k) % count;
       const double size =
           (result_.points[contour.vertices[(i + 1) % count]] - result_.points[contour.vertices[i]]).norm();
       all += size;
       if (contour.drawn[i]) drawn += size;
+      if (contour.drawn[i] && behind_.contains(contour.line[i])) behind += size;
       result_.segment_arc[base + i] = static_cast<Index>(result_.arcs.size());
     }
     result_.arcs.push_back({c, begin, length, 2 * drawn > all, 0});
+    result_.may_be_covered.push_back(2 * drawn > all && 2 * behind > drawn ? 1 : 0);
   }
 
   const std::vector<ContourPath>& paths_;
+  const LinePairs& in_front_;
+  std::set<Index> behind_;  ///< drawn lines
   double merging_;
   RawCrossings raw_;
   Arrangement result_;
@@ -223,8 +246,9 @@ class Crosser {
 
 }  // namespace
 
-Arrangement cross_contours(const std::vector<ContourPath>& contours, double spacing, double merging) {
-  return Crosser(contours, spacing, merging).build();
+Arrangement cross_contours(const std::vector<ContourPath>& contours, const LinePairs& in_front, double spacing,
+                           double merging) {
+  return Crosser(contours, in_front, spacing, merging).build();
 }
 
 ArcEnds arc_ends(const Arrangement& arrangement) {

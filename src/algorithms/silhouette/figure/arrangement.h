@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "algorithms/silhouette/strokes/polyline.h"
@@ -17,6 +19,7 @@ struct ContourPath {
   std::vector<Drawn> drawn;    ///< per segment i → i+1, cyclic
   std::vector<double> cut;     ///< per segment: fraction at which its bar crosses it
   std::vector<Index> stroke;   ///< per segment: the stroke drawn, or of a completion the stroke it continues
+  std::vector<Index> line;     ///< per segment: the drawn line, no_index for a completion
   std::vector<Index> strokes;  ///< in order along the contour
   int side = 0;                ///< surface left (+1), right (-1), unknown (0)
 };
@@ -39,6 +42,7 @@ struct CrossedContour {
   std::vector<Index> vertices;      ///< cyclic
   std::vector<std::uint8_t> drawn;  ///< per segment
   std::vector<Index> stroke;        ///< per segment
+  std::vector<Index> line;          ///< per segment
 };
 
 /// All contours of a part in the plane: crossings are vertices, pieces between them arcs.
@@ -49,12 +53,15 @@ struct Arrangement {
   std::vector<FigureArc> arcs;                 ///< by contour, in order along it; depth not yet known
   std::vector<std::array<Index, 2>> segments;  ///< by contour, in order along it
   std::vector<Index> segment_arc;
+  std::vector<std::uint8_t> may_be_covered;  ///< per arc: drawn, but something drawn may lie in front of it
 };
 
 /// Crosses closed contours with one another: exact predicates, a uniform grid, near O(n).
+/// @param in_front pairs of drawn lines, the first of which lies in front where they cross
 /// @param spacing usual length of a segment
 /// @param merging samples nearer to a crossing than this share of their segment give way to it
-Arrangement cross_contours(const std::vector<ContourPath>& contours, double spacing, double merging);
+Arrangement cross_contours(const std::vector<ContourPath>& contours, const std::set<std::pair<Index, Index>>& in_front,
+                           double spacing, double merging);
 
 /// The index of the arc that arrives at, or leaves from, a vertex of a contour which is a crossing.
 struct ArcEnds {

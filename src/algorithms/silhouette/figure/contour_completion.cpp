@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "algorithms/silhouette/figure/end_freedom.h"
 #include "algorithms/silhouette/figure/hidden_caps.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
 #include "croquis/geometry/polyline.h"
@@ -140,7 +139,6 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   std::vector<CompletionCandidate> candidates;
   const std::vector<Index> given = given_pieces_of(junctions);
   const HiddenCaps caps(lines, junctions);
-  const EndFreedom freedom(junctions, lines.size());
   std::vector<int> side;
   side.reserve(ends.size());
   for (const Index end : ends) side.push_back(caps.outward_side(junctions.ends[end]));
@@ -166,9 +164,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
       candidate.a = i;
       candidate.b = k;
       candidate.one_bar = a.bar == b.bar && a.bar_side == b.bar_side;
-      const double free = freedom.between(a, b);
-      candidate.bezier = completion_curve(from, EndFreedom::turned(a.tangent, to - from, free), to,
-                                          EndFreedom::turned(b.tangent, from - to, free));
+      candidate.bezier = completion_curve(from, a.tangent, to, b.tangent);
       const int agreed = side[i] == -side[k] ? side[i] : 0;
       candidate.plain_cost = completion_cost(candidate.bezier, agreed, reference, options);
       if (agreed == 0)

@@ -48,6 +48,7 @@ class Closer {
     path.drawn.assign(path.points.size(), Drawn::Yes);
     path.cut.assign(path.points.size(), 0.0);
     path.stroke = lines_[line].stroke;
+    path.line.assign(path.points.size(), line);
     path.strokes = lines_[line].strokes;
     path.side = junctions_.sides[line];
     result_.paths.push_back(std::move(path));
@@ -105,19 +106,21 @@ class Closer {
     }
     if (points.size() == 2) {  // the cuts of both ends need a segment each
       points.insert(points.begin() + 1, 0.5 * (points[0] + points[1]));
+      drawn.insert(drawn.begin() + 1, 0.5 * (drawn[0] + drawn[1]));
       stroke.insert(stroke.begin() + 1, stroke.front());
     }
     const std::size_t count = points.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
       path.points.push_back(points[i]);
       path.stroke.push_back(stroke[i]);
+      path.line.push_back(index);
       path.drawn.push_back(i == 0 ? Drawn::FromCut : i + 1 == count ? Drawn::UntilCut : Drawn::Yes);
       const bool at_start = i == 0 ? forward : !forward;
       const bool at_end = i == 0 || i + 1 == count;
       path.cut.push_back(at_end ? nearest_parameter(place_of_end(index, at_start), points[i], points[i + 1]) : 0.0);
     }
     path.strokes.insert(path.strokes.end(), strokes.begin(), strokes.end());
-    raw.insert(raw.end(), drawn.begin(), drawn.end());
+    raw.insert(raw.end(), drawn.begin(), drawn.end() - 1);
   }
 
   Vec2 place_of_end(Index line, bool at_start) const {
@@ -135,6 +138,7 @@ class Closer {
     path.points.insert(path.points.end(), curve.points.begin(), inner);
     path.stroke.insert(path.stroke.end(), curve.stroke.begin(), curve.stroke.end() - 1);
     path.drawn.insert(path.drawn.end(), curve.points.size() - 1, Drawn::No);
+    path.line.insert(path.line.end(), curve.points.size() - 1, no_index);
     path.cut.insert(path.cut.end(), curve.points.size() - 1, 0.0);
     raw.insert(raw.end(), curve.points.begin(), inner);
     if (candidate.given != no_index) {

@@ -47,11 +47,6 @@ class PartLabeller {
 
   LabelledDrawing run() {
     LabelledDrawing result;
-    for (Index unit = 0; unit < units_.size(); ++unit) {
-      if (!bad_[unit]) continue;
-      Findings more = check_ends(context_, units_[unit]);
-      std::move(more.begin(), more.end(), std::back_inserter(result.findings));
-    }
     for (Group& group : solved_groups()) {
       std::move(group.figures.begin(), group.figures.end(), std::back_inserter(result.figures));
       std::move(group.findings.begin(), group.findings.end(), std::back_inserter(result.findings));

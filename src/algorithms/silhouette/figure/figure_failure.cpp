@@ -2,29 +2,19 @@
 #include "algorithms/silhouette/figure/figure_failure.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "algorithms/silhouette/figure/matching.h"
+#include "algorithms/silhouette/figure/integer_program.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 
 namespace croquis::silhouette {
 namespace {
 
-// With more ends than this each removal is judged by the end's own candidates instead of a search.
-constexpr std::size_t most_ends_to_search = 99;
-constexpr std::size_t states_per_removal = 2000;
-
-const HiddenEnd& end_of(const FigureContext& context, const PartLines& part, Index position) {
-  return context.junctions.ends[part.ends[position]];
-}
-
-Index stroke_of(const FigureContext& context, const HiddenEnd& end) {
-  return context.lines[end.line].end_stroke(end.at_start);
-}
+// What leaving out an end costs, far above all completions.
+constexpr double cost_left_out = 1e4;
+constexpr int branches_for_failure = 200;
 
 std::vector<Subject> all_strokes(const FigureContext& context, const PartLines& part) {
   std::set<Index> strokes;
@@ -34,40 +24,6 @@ std::vector<Subject> all_strokes(const FigureContext& context, const PartLines& 
   std::vector<Subject> subjects;
   for (const Index stroke : strokes) subjects.push_back(stroke_subject(context.drawing, stroke));
   return subjects;
-}
-
-/// What joining all ends but one costs.
-double cost_without(const PartLines& part, Index removed) {
-  std::vector<MatchingEdge> edges;
-  for (const CompletionCandidate& candidate : part.candidates) {
-    if (candidate.a == removed || candidate.b == removed) continue;
-    edges.push_back({candidate.a - (candidate.a > removed ? 1U : 0U), candidate.b - (candidate.b > removed ? 1U : 0U),
-                     candidate.cost});
-  }
-  MatchingSearch search(static_cast<Index>(part.ends.size() - 1), std::move(edges), states_per_removal);
-  return search.next() ? search.last_cost() : std::numeric_limits<double>::infinity();
-}
-
-/// The less an end fits any other, the less its removal costs.
-double cost_by_candidates(const PartLines& part, Index removed) {
-  double cheapest = std::numeric_limits<double>::infinity();
-  for (const CompletionCandidate& candidate : part.candidates) {
-    if (candidate.a == removed || candidate.b == removed) cheapest = std::min(cheapest, candidate.cost);
-  }
-  return -cheapest;
-}
-
-/// Ends of lines whose other end touches nothing; all ends when there are none of these.
-std::vector<Index> suspected_ends(const FigureContext& context, const PartLines& part) {
-  std::map<Index, int> hidden_ends;
-  for (Index i = 0; i < part.ends.size(); ++i) ++hidden_ends[end_of(context, part, i).line];
-  std::vector<Index> suspects;
-  std::vector<Index> all;
-  for (Index i = 0; i < part.ends.size(); ++i) {
-    all.push_back(i);
-    if (hidden_ends[end_of(context, part, i).line] == 1) suspects.push_back(i);
-  }
-  return suspects.empty() ? all : suspects;
 }
 
 /// The piece of contour that an arc is, in words.
@@ -81,57 +37,37 @@ std::string fault_of(const FigureContext& context, const Arrangement& arrangemen
 
 }  // namespace
 
-Findings odd_end(const FigureContext& context, const PartLines& part) {
-  if (part.ends.size() % 2 == 0) return {};
-  const std::vector<Index> suspects = suspected_ends(context, part);
-  Index worst = suspects.front();
-  double least = std::numeric_limits<double>::infinity();
-  for (const Index i : suspects) {
-    const double cost = part.ends.size() <= most_ends_to_search ? cost_without(part, i) : cost_by_candidates(part, i);
-    if (cost < least) {
-      least = cost;
-      worst = i;
-    }
+Finding ends_without_partner(const FigureContext& context, const PartLines& part) {
+  IntegerProgram program;  // the cheapest matching that leaves out as few ends as can be
+  std::vector<std::vector<IntegerProgram::Term>> one;
+  for (Index end = 0; end < part.ends.size(); ++end) {
+    one.push_back({{program.add_variable(0, 1, cost_left_out), 1}});
   }
-  const HiddenEnd& end = end_of(context, part, worst);
-  const Index stroke = stroke_of(context, end);
-  return {make_error(Category::Geometry, "E_ODD",
-                     "An odd number of lines passes behind others, and the end of " +
-                         in_quotes(context.drawing, stroke) +
-                         " fits no other: extend or close it, or draw what is missing",
-                     {stroke_subject(context.drawing, stroke, end.at)})};
-}
-
-Findings ends_without_partner(const FigureContext& context, const PartLines& part) {
-  std::vector<char> has_partner(part.ends.size(), 0);
-  for (const CompletionCandidate& candidate : part.candidates) has_partner[candidate.a] = has_partner[candidate.b] = 1;
-  Findings findings;
-  for (Index i = 0; i < part.ends.size(); ++i) {
-    if (has_partner[i]) continue;
-    const HiddenEnd& end = end_of(context, part, i);
-    const Index stroke = stroke_of(context, end);
-    findings.push_back(make_error(Category::Geometry, "E_NO_PARTNER",
-                                  "Nothing to connect the hidden end of " + in_quotes(context.drawing, stroke) +
-                                      " to: draw where it comes out again, or close the stroke",
-                                  {stroke_subject(context.drawing, stroke, end.at)}));
+  for (const CompletionCandidate& candidate : part.candidates) {
+    const Index taken = program.add_variable(0, 1, std::min(candidate.cost, cost_left_out));
+    one[candidate.a].push_back({taken, 1});
+    one[candidate.b].push_back({taken, 1});
   }
-  return findings;
-}
-
-Finding no_pairing(const FigureContext& context, const PartLines& part) {
-  return make_error(Category::Geometry, "E_NO_LABELLING",
-                    "No solid looks like this: the hidden ends can't all be connected in pairs, so check what passes "
-                    "behind what",
-                    all_strokes(context, part));
+  for (std::vector<IntegerProgram::Term>& row : one) program.add_row(std::move(row), 1, 1);
+  const std::vector<int> values = program.solve(branches_for_failure).values;
+  std::vector<Subject> subjects;
+  std::string names;
+  for (Index i = 0; i < part.ends.size() && i < values.size(); ++i) {
+    if (values[i] == 0) continue;
+    const HiddenEnd& end = context.junctions.ends[part.ends[i]];
+    const Index stroke = context.lines[end.line].end_stroke(end.at_start);
+    subjects.push_back(stroke_subject(context.drawing, stroke, end.at));
+    names += (names.empty() ? "" : ", ") + in_quotes(context.drawing, stroke);
+  }
+  if (subjects.empty()) return no_solid("the hidden ends can't all be connected in pairs", all_strokes(context, part));
+  return no_solid("nothing comes out again that the hidden end of " + names + " could be connected to",
+                  std::move(subjects));
 }
 
 Finding no_labelling(const FigureContext& context, const PartLines& part, const Arrangement& arrangement,
                      const Labelling& relaxed) {
   if (relaxed.wrong_arcs.empty()) {
-    return make_error(Category::Geometry, "E_NO_LABELLING",
-                      "No solid looks like this: the lines that stop at others contradict one another, so check what "
-                      "passes behind what",
-                      all_strokes(context, part));
+    return no_solid("the lines that stop at others contradict one another", all_strokes(context, part));
   }
   std::string faults;
   std::vector<Subject> subjects;
@@ -143,9 +79,7 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
     subjects.push_back(stroke_subject(context.drawing, contour.stroke[middle], at));
     if (subjects.size() <= 3) faults += (faults.empty() ? "" : ", and ") + fault_of(context, arrangement, arc);
   }
-  return make_error(Category::Geometry, "E_NO_LABELLING",
-                    "No solid looks like this: " + faults + "; check what passes behind what there",
-                    std::move(subjects));
+  return no_solid(faults, std::move(subjects));
 }
 
 Finding contours_touch(const FigureContext& context, const PartLines& part, const Vec2& at) {
@@ -170,13 +104,6 @@ Finding contours_touch(const FigureContext& context, const PartLines& part, cons
   return make_error(Category::Geometry, "E_TOUCH",
                     "Contours meet in one point or overlap (" + names + "): move one of them a little",
                     std::move(subjects));
-}
-
-Finding search_limit(const FigureContext& context, const PartLines& part, int matchings) {
-  return make_error(Category::Limit, "E_LIMIT",
-                    "Stopped after trying the " + std::to_string(matchings) +
-                        " most likely ways to connect the hidden ends: simplify this part of the drawing",
-                    all_strokes(context, part));
 }
 
 }  // namespace croquis::silhouette

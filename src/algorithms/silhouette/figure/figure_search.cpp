@@ -16,8 +16,8 @@
 namespace croquis::silhouette {
 namespace {
 
-// A bound of the search among partial matchings; drawings of 64 hidden ends need some hundred.
-constexpr std::size_t maximum_states = 200'000;
+// A bound of the branches of all searches for matchings of a part; drawings of 64 hidden ends need some ten.
+constexpr int maximum_branches = 2000;
 // A bound of the arcs of all matchings that are crossed, some ten thousandths of a second each: many hidden ends in a
 // part that can't be labelled would otherwise take a minute.
 constexpr std::size_t maximum_arcs = 10'000;
@@ -64,18 +64,13 @@ class Search {
         judge_(context.lines, context.junctions) {}
 
   FigureSearch run() {
-    FigureSearch result;
-    result.findings = odd_end(context_, part_);
-    if (!result.findings.empty()) return result;
-    Findings lonely = ends_without_partner(context_, part_);
-    if (lonely.empty()) return try_matchings();
-    // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
-    CompletionOptions generous = context_.options.completion;
-    generous.maximum_cost = std::numeric_limits<double>::max();
-    part_ = part_of(context_, part_.lines, generous);
-    if (ends_without_partner(context_, part_).empty()) result = try_matchings();
-    if (!result.figure) result.findings = std::move(lonely);
-    return result;
+    if (!matchings().next()) {
+      // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
+      CompletionOptions generous = context_.options.completion;
+      generous.maximum_cost = std::numeric_limits<double>::max();
+      part_ = part_of(context_, part_.lines, generous);
+    }
+    return try_matchings();
   }
 
  private:
@@ -84,7 +79,7 @@ class Search {
     for (const CompletionCandidate& candidate : part_.candidates) {
       edges.push_back({candidate.a, candidate.b, candidate.cost});
     }
-    return {static_cast<Index>(part_.ends.size()), std::move(edges), maximum_states};
+    return {static_cast<Index>(part_.ends.size()), edges, maximum_branches};
   }
 
   /// The cheapest matching when all in it are judged: what isn't costs no less than it seems to.
@@ -120,7 +115,7 @@ class Search {
       result.figure = try_matching(*chosen, tried <= reshaped_matchings ? maximum_reshapings : 0);
       if (result.figure) return result;
     }
-    result.findings = explain(tried, cheapest, tried < most && arcs_ < maximum_arcs && !matchings.limit_reached());
+    result.findings.push_back(tried == 0 ? ends_without_partner(context_, part_) : explain(cheapest));
     return result;
   }
 
@@ -134,7 +129,6 @@ class Search {
           nested_contours(context_.drawing, trial.contours.paths, trial.arrangement, trial.faces);
       const std::vector<int> sides = sides_with(nested, trial.contours.paths);
       const Labelling labelling = label_arrangement(trial.arrangement, sides, trial.faces, LabellingRules::Full);
-      if (labelling.status == IntegerProgram::Status::Limit) limit_reached_ = true;
       if (labelling.status == IntegerProgram::Status::Optimal) {
         std::optional<LabelledFigure> figure =
             build_figure(context_, trial.contours, trial.arrangement, std::move(trial.faces), labelling);
@@ -200,8 +194,8 @@ class Search {
           close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
       if (!contours) return trial;
       trial.contours = std::move(*contours);
-      trial.arrangement =
-          cross_contours(trial.contours.paths, context_.scale.step, attempt % 2 == 0 ? merging : least_merging);
+      trial.arrangement = cross_contours(trial.contours.paths, context_.order.in_front, context_.scale.step,
+                                         attempt % 2 == 0 ? merging : least_merging);
       arcs_ += trial.arrangement.arcs.size();
       trial.sides.clear();
       for (const ContourPath& path : trial.contours.paths) trial.sides.push_back(path.side);
@@ -222,23 +216,14 @@ class Search {
            IntegerProgram::Status::Infeasible;
   }
 
-  Findings explain(int tried, const std::vector<Index>& cheapest, bool complete) {
-    Findings findings;
-    if (tried == 0) {
-      findings.push_back(complete ? no_pairing(context_, part_) : search_limit(context_, part_, tried));
-      return findings;
-    }
+  Finding explain(const std::vector<Index>& cheapest) {
     const Trial trial = arrange(in_likeliest_shapes(cheapest), false);
-    if (!trial.usable) {
-      findings.push_back(trial.conflicts.empty() ? no_pairing(context_, part_)
-                                                 : contours_touch(context_, part_, trial.conflicts.front()));
-    } else {
-      findings.push_back(
-          no_labelling(context_, part_, trial.arrangement,
-                       label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Slack)));
+    if (!trial.conflicts.empty()) return contours_touch(context_, part_, trial.conflicts.front());
+    Labelling relaxed;
+    if (trial.usable) {
+      relaxed = label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Slack);
     }
-    if (!complete || limit_reached_) findings.push_back(search_limit(context_, part_, tried));
-    return findings;
+    return no_labelling(context_, part_, trial.arrangement, relaxed);
   }
 
   const FigureContext& context_;
@@ -247,17 +232,12 @@ class Search {
   CompletionJudge judge_;
   std::size_t arcs_ = 0;  ///< of all matchings so far
   bool first_done_ = false;
-  bool limit_reached_ = false;
 };
 
 }  // namespace
 
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
   return Search(context, lines, progress).run();
-}
-
-Findings check_ends(const FigureContext& context, const std::vector<Index>& lines) {
-  return odd_end(context, part_of(context, lines, context.options.completion));
 }
 
 }  // namespace croquis::silhouette

@@ -19,21 +19,19 @@ struct FigureContext {
   const DrawingScale& scale;
   const std::vector<CleanLine>& lines;  ///< carried on behind their bars
   const Junctions& junctions;
+  const VisibleCrossings& order;
   double completion_reference = 1;  ///< length that completions are measured by
 };
 
 /// One of the two is empty.
 struct FigureSearch {
   std::optional<LabelledFigure> figure;
-  Findings findings;  ///< E_ODD, E_NO_PARTNER, E_NO_LABELLING, E_TOUCH, E_LIMIT
+  Findings findings;  ///< E_NO_LABELLING, E_TOUCH
 };
 
 /// Completes and labels the contours of some lines together: tries the perfect matchings of their hidden ends from the
 /// cheapest on, until one can be labelled (Cordier, Seo, Cho 2006, section 3; Williams 1994).
 /// @param lines ascending
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress);
-
-/// What is wrong with the hidden ends of lines that can't be labelled for another reason: E_ODD.
-Findings check_ends(const FigureContext& context, const std::vector<Index>& lines);
 
 }  // namespace croquis::silhouette

@@ -24,7 +24,14 @@ void add_contours(const ClosedContours& closed, const Arrangement& arrangement, 
     figure.contours.push_back(std::move(contour));
   }
   figure.arcs = arrangement.arcs;
-  for (Index arc = 0; arc < figure.arcs.size(); ++arc) figure.arcs[arc].depth = labelling.depth[arc];
+  for (Index e = 0; e < figure.arcs.size(); ++e) {
+    FigureArc& arc = figure.arcs[e];
+    arc.depth = labelling.depth[e];
+    if (!arc.visible || arc.depth == 0) continue;
+    arc.visible = false;  // drawn, but covered by what was drawn over it
+    std::vector<std::uint8_t>& drawn = figure.contours[arc.contour].drawn;
+    for (Index k = 0; k < arc.count; ++k) drawn[(arc.begin + k) % drawn.size()] = 0;
+  }
 }
 
 void add_crossings(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {

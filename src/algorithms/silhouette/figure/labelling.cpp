@@ -38,7 +38,7 @@ class Program {
     for (const Index o : orientation_) result.side.push_back(2 * solution.values[o] - 1);
     for (const Index x : over_) result.a_is_over.push_back(solution.values[x] != 0 ? 1 : 0);
     for (Index arc = 0; arc < slack_.size(); ++arc) {
-      if (solution.values[slack_[arc]] > 0) result.wrong_arcs.push_back(arc);
+      if (slack_[arc] != no_index && solution.values[slack_[arc]] > 0) result.wrong_arcs.push_back(arc);
     }
     return result;
   }
@@ -46,13 +46,22 @@ class Program {
  private:
   /// (f) for arcs.
   void add_arcs() {
-    for (const FigureArc& arc : arrangement_.arcs) {
+    for (Index e = 0; e < arrangement_.arcs.size(); ++e) {
+      const FigureArc& arc = arrangement_.arcs[e];
+      if (arrangement_.may_be_covered[e] != 0) {
+        depth_.push_back(program_.add_variable(0, deepest, 1));
+        slack_.push_back(no_index);
+        continue;
+      }
       const bool strict = rules_ != LabellingRules::Slack;
       const double least = strict && !arc.visible ? 1 : 0;
       const double most = strict && arc.visible ? 0 : deepest;
       const Index n = program_.add_variable(least, most, 1);
       depth_.push_back(n);
-      if (strict) continue;
+      if (strict) {
+        slack_.push_back(no_index);
+        continue;
+      }
       const Index slack = program_.add_variable(0, arc.visible ? deepest : 1, slack_cost);
       slack_.push_back(slack);
       if (arc.visible) {
@@ -168,7 +177,7 @@ class Program {
   std::vector<Index> depth_;        ///< variables, per arc
   std::vector<Index> orientation_;  ///< per contour
   std::vector<Index> over_;         ///< per crossing
-  std::vector<Index> slack_;        ///< per arc
+  std::vector<Index> slack_;        ///< per arc, no_index where it can't break a rule
 };
 
 }  // namespace

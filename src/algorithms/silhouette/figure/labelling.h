@@ -32,7 +32,8 @@ enum class LabellingRules {
 ///   (b) n_e <= (w_left + w_right - 1) / 2
 ///   (c) A over B: n(B+) - n(B-) = s sigma_A, n(A+) = n(A-), and A's depths are at most B's
 ///   (d) B over A: n(A+) - n(A-) = -s sigma_B, and so on
-///   (f) visible arcs n = 0, hidden arcs n >= 1; sigma and the upper contour where T-junctions give them
+///   (f) visible arcs n = 0, hidden arcs n >= 1, unless what is drawn may be covered; sigma and the upper contour where
+///   T-junctions give them
 /// minimising Σ n plus a little of the covered area, so that of two readings the one with a hole wins.
 /// @param faces unused for LabellingRules::Local
 Labelling label_arrangement(const Arrangement& arrangement, const std::vector<int>& sides, const Faces& faces,

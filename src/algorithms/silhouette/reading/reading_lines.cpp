@@ -87,12 +87,14 @@ void finish(CleanLine& line, double step, int passes) {
   smoothing.passes = passes;
   smoothing.fixed.assign(line.points.size(), false);
   for (const Index corner : corners(line.points, line.closed, reach)) smoothing.fixed[corner] = true;
+  const Points drawn = line.points;
   line.points = taubin_smooth(line.points, line.closed, smoothing);
   const std::vector<Index> kept = corners(line.points, line.closed, reach);
   Points points;
   std::vector<Index> stroke;
   for (const double parameter : even_parameters(line.points, line.closed, step, kept)) {
     points.push_back(point_at(line.points, parameter));
+    line.raw.push_back(point_at(drawn, parameter));
     stroke.push_back(line.stroke[static_cast<std::size_t>(parameter)]);
   }
   line.points = std::move(points);
@@ -103,7 +105,7 @@ void finish(CleanLine& line, double step, int passes) {
 CleanLine line_of(const EnclosedRegion& region, const std::vector<SampledStroke>& strokes) {
   CleanLine line;
   line.closed = true;
-  line.points = line.raw = region.outline;
+  line.points = region.outline;
   for (const Index s : region.stroke) {
     const Index stroke = strokes[s].stroke;
     line.stroke.push_back(stroke);

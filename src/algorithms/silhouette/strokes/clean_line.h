@@ -15,7 +15,7 @@ struct CleanLine {
   Points points;               ///< smoothed samples, about a step apart
   std::vector<Index> stroke;   ///< per point: index into Drawing::strokes
   std::vector<Index> strokes;  ///< in the order along the line
-  Points raw;                  ///< the strokes as drawn, one after the other
+  Points raw;                  ///< per point: where it was before it was smoothed
   std::string object;          ///< name of the object it was forced into, empty for none
   bool closed = false;
   bool bridged = false;  ///< closed over a gap that is more than what hands miss by
@@ -39,7 +39,6 @@ struct HiddenPiece {
   struct End {
     Index line = 0;
     bool at_start = false;
-    int bar_side = 0;  ///< surface of what covers it there: on the left (+1) or right (-1) of that line, 0 unknown
   };
 
   End from;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/silhouette/strokes/covered_runs.h"
 #include "algorithms/silhouette/strokes/ring_shape.h"
 #include "croquis/geometry/polyline.h"
 
@@ -55,23 +56,6 @@ std::vector<Index> holes_of_rings(const Drawing& drawing, const std::vector<Clea
     }
   }
   return ring;
-}
-
-std::vector<CutRun> covered_by_ring(const std::vector<CutRun>& covered, const std::vector<LineRun>& seen, int side) {
-  std::vector<CutRun> left = covered;
-  for (const LineRun& window : seen) {
-    std::vector<CutRun> next;
-    for (const CutRun& cut : left) {
-      if (window.end <= cut.run.begin || window.begin >= cut.run.end) {
-        next.push_back(cut);
-        continue;
-      }
-      if (window.begin > cut.run.begin) next.push_back({{cut.run.begin, window.begin}, cut.begin_side, side});
-      if (window.end < cut.run.end) next.push_back({{window.end, cut.run.end}, side, cut.end_side});
-    }
-    left = std::move(next);
-  }
-  return left;
 }
 
 }  // namespace croquis::silhouette

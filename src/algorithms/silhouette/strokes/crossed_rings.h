@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/line_cutting.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "croquis/geometry/drawing.h"
 
 namespace croquis::silhouette {
@@ -15,11 +15,5 @@ namespace croquis::silhouette {
 /// @param crossing pairs of lines, the lower index first
 std::vector<Index> holes_of_rings(const Drawing& drawing, const std::vector<CleanLine>& lines,
                                   const std::set<std::pair<Index, Index>>& crossing);
-
-/// What is left of stretches that a ring covers where they don't lie in its hole: there they are seen.
-/// @param covered in the ring's outline, ascending
-/// @param seen    in its hole
-/// @param side    on which side of the hole's line the ring's surface lies
-std::vector<CutRun> covered_by_ring(const std::vector<CutRun>& covered, const std::vector<LineRun>& seen, int side);
 
 }  // namespace croquis::silhouette

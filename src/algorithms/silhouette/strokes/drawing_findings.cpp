@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace croquis::silhouette {
 namespace {
@@ -42,6 +43,11 @@ Subject crossing_subject(const Drawing& drawing, const Vec2& at) {
 }
 
 std::string in_quotes(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
+
+Finding no_solid(const std::string& why, std::vector<Subject> subjects) {
+  return make_error(Category::Geometry, "E_NO_LABELLING",
+                    "No solid looks like this: " + why + "; check what passes behind what there", std::move(subjects));
+}
 
 std::string length_text(double length) { return number_text(length, 4); }
 

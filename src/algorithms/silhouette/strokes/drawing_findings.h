@@ -16,6 +16,10 @@ Subject crossing_subject(const Drawing& drawing, const Vec2& at);
 /// The stroke's id in quotes.
 std::string in_quotes(const Drawing& drawing, Index stroke);
 
+/// E_NO_LABELLING.
+/// @param why no solid looks like the drawing
+Finding no_solid(const std::string& why, std::vector<Subject> subjects);
+
 /// A length with four significant digits.
 std::string length_text(double length);
 

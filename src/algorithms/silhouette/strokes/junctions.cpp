@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -12,7 +11,6 @@
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/line_conflicts.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 
 namespace croquis::silhouette {
@@ -24,15 +22,12 @@ constexpr double least_junction_sine = 0.3;
 constexpr double extension = 1.5;
 // No sample lies nearer to the end of a trimmed line than this share of a step.
 constexpr double least_junction_spacing = 0.3;
+// A line that passes behind itself doesn't do so within so many steps of its end.
+constexpr double own_end = 4;
 
-// An end lies on its bar when it is no farther from it than this share of a step.
-constexpr double on_bar = 0.5;
-
-/// Where the end of a line meets another line.
+/// Where the end of a line meets its bar.
 struct BarHit {
   double along = 0;  ///< arc length from the end: negative on the line (overshoot), positive ahead of it
-  Index bar = 0;
-  double parameter = 0;  ///< on the bar
   Vec2 at = Vec2::Zero();
 };
 
@@ -56,7 +51,7 @@ std::optional<BarHit> hit_of(const std::vector<CleanLine>& lines, Index line, bo
                              double step) {
   Points own = lines[line].points;
   if (!at_start) std::reverse(own.begin(), own.end());
-  const double far = std::max(3 * target.miss, 4 * step);
+  const double far = std::max(3 * target.miss, own_end * step);
   const Vec2 ahead = own.front() + far * end_tangent(own, true, tangent_steps * step);
   const CleanLine& bar = lines[target.bar];
   std::optional<BarHit> best;
@@ -69,7 +64,7 @@ std::optional<BarHit> hit_of(const std::vector<CleanLine>& lines, Index line, bo
       const double distance = (at - target.at).norm() + more;
       if (distance >= least) return;
       least = distance;
-      best = BarHit{along, target.bar, i + std::min(nearest_parameter(at, a, b), 1 - 1e-9), at};
+      best = BarHit{along, at};
     };
     double walked = 0;
     for (std::size_t k = 0; k + 1 < own.size() && walked < far; ++k) {
@@ -90,33 +85,6 @@ std::optional<BarHit> hit_of(const std::vector<CleanLine>& lines, Index line, bo
   return best;
 }
 
-/// The line on which an end lies.
-EndHits lines_at_ends(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
-  const double reach = on_bar * scale.step;
-  const SegmentGrid grid(line_segments(lines), scale.step, reach);
-  EndHits hits(lines.size());
-  for (Index line = 0; line < lines.size(); ++line) {
-    for (const bool at_start : {true, false}) {
-      if (lines[line].closed) continue;
-      const Vec2& place = lines[line].end(at_start);
-      const Vec2 around = Vec2::Constant(reach);
-      double least = reach;
-      grid.near_box(place - around, place + around, [&](Index i) {
-        const GridSegment& segment = grid.segments()[i];
-        if (segment.line == line && is_own_end(lines[line], at_start, segment.position, 3 * scale.step)) return;
-        const double fraction = nearest_parameter(place, segment.a, segment.b);
-        const Vec2 nearest = segment.a + fraction * (segment.b - segment.a);
-        const double distance = (nearest - place).norm();
-        if (distance >= least) return;
-        least = distance;
-        hits[line][at_start ? 0 : 1] =
-            BarHit{distance, segment.line, segment.position + std::min(fraction, 1 - 1e-9), nearest};
-      });
-    }
-  }
-  return hits;
-}
-
 void reverse(CleanLine& line) {
   std::reverse(line.points.begin(), line.points.end());
   std::reverse(line.stroke.begin(), line.stroke.end());
@@ -128,6 +96,7 @@ void move_end(CleanLine& line, const BarHit& hit, double step) {
   const Index stroke = line.stroke.back();
   const auto drop_last = [&line] {
     line.points.pop_back();
+    line.raw.pop_back();
     line.stroke.pop_back();
   };
   double excess = -hit.along;
@@ -140,82 +109,39 @@ void move_end(CleanLine& line, const BarHit& hit, double step) {
   if (excess > 0) drop_last();
   while (line.points.size() > 1 && (line.points.back() - hit.at).norm() < least_junction_spacing * step) drop_last();
   line.points.push_back(hit.at);
+  line.raw.push_back(hit.at);
   line.stroke.push_back(stroke);
 }
 
-/// Cuts or extends the strokes as drawn so that they end where the cleaned line does.
-void move_raw_end(CleanLine& line, const Vec2& at, double reach) {
-  Points& raw = line.raw;
-  double best = (raw.back() - at).norm();
-  std::size_t keep = raw.size();
-  double walked = 0;
-  for (std::size_t i = raw.size() - 1; i > 0 && walked < reach; --i) {
-    const Vec2 nearest = raw[i - 1] + nearest_parameter(at, raw[i - 1], raw[i]) * (raw[i] - raw[i - 1]);
-    if ((nearest - at).norm() < best) {
-      best = (nearest - at).norm();
-      keep = i;
-    }
-    walked += (raw[i] - raw[i - 1]).norm();
-  }
-  raw.resize(std::max<std::size_t>(keep, 1));
-  raw.push_back(at);
-}
-
-void move_ends(std::vector<CleanLine>& lines, const EndHits& hits, const DrawingScale& scale) {
-  for (Index i = 0; i < lines.size(); ++i) {
-    for (const bool at_start : {false, true}) {
-      const std::optional<BarHit>& hit = hits[i][at_start ? 0 : 1];
-      if (!hit) continue;
-      if (at_start) reverse(lines[i]);
-      move_end(lines[i], *hit, scale.step);
-      move_raw_end(lines[i], hit->at, 3 * std::max(scale.snap, std::abs(hit->along)));
-      if (at_start) reverse(lines[i]);
-    }
-  }
-}
-
-/// Where a place lies on a bar whose start may have been trimmed since `parameter` was found.
-double current_parameter(const CleanLine& bar, double parameter, const Vec2& at) {
-  constexpr std::int64_t window = 16;
-  const auto count = static_cast<std::int64_t>(bar.segment_count());
-  const auto near = static_cast<std::int64_t>(parameter);
-  double best = std::numeric_limits<double>::infinity();
+/// Where on its bar an end lies that has met it.
+double bar_parameter(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
+                     double step) {
+  const CleanLine& bar = lines[target.bar];
+  double least = std::numeric_limits<double>::infinity();
   double found = 0;
-  for (std::int64_t k = near - window; k <= near + window; ++k) {
-    const std::int64_t i = bar.closed ? (k % count + count) % count : std::clamp<std::int64_t>(k, 0, count - 1);
-    const Vec2& a = bar.points[static_cast<std::size_t>(i)];
-    const Vec2& b = bar.points[static_cast<std::size_t>(i + 1) % bar.points.size()];
-    const double fraction = nearest_parameter(at, a, b);
-    const double distance = (a + fraction * (b - a) - at).norm();
-    if (distance < best) {
-      best = distance;
-      found = static_cast<double>(i) + std::min(fraction, 1 - 1e-9);
-    }
+  for (Index i = 0; i < bar.segment_count(); ++i) {
+    if (target.bar == line && is_own_end(bar, at_start, i, own_end * step)) continue;
+    const Vec2& a = bar.points[i];
+    const Vec2& b = bar.points[(i + 1) % bar.points.size()];
+    const double fraction = nearest_parameter(target.at, a, b);
+    const double distance = (a + fraction * (b - a) - target.at).norm();
+    if (distance >= least) continue;
+    least = distance;
+    found = i + std::min(fraction, 1 - 1e-9);
   }
   return found;
 }
 
 /// The junction of a line that ends on its bar.
-HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const BarHit& hit,
-                   const std::vector<MetBar>& met, const DrawingScale& scale) {
-  const double parameter = current_parameter(lines[hit.bar], hit.parameter, hit.at);
-  HiddenEnd end{line, at_start, hit.bar, parameter, hit.at, Vec2::Zero(), 1};
-  const Points& points = lines[line].points;
-  const Points& bar = lines[hit.bar].points;
+HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
+                   const DrawingScale& scale) {
+  const double parameter = bar_parameter(lines, line, at_start, target, scale.step);
+  HiddenEnd end{line, at_start, target.bar, parameter, target.at, end_direction(lines[line], at_start, scale), 1};
+  const Points& bar = lines[target.bar].points;
   const auto segment = static_cast<std::size_t>(parameter);
   const Vec2 direction = (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
-  end.tangent = end_direction(lines[line], at_start, scale);
-  const double sine = cross(direction, end.tangent);
-  end.bar_side = sine >= 0 ? 1 : -1;
-  const auto known = std::ranges::min_element(met, {}, [&](const MetBar& other) { return (other.at - hit.at).norm(); });
-  if (known != met.end() && (known->at - hit.at).norm() < on_bar * scale.step) {
-    end.bar_side = cross(direction, known->into) >= 0 ? 1 : -1;
-  } else if (std::abs(sine) < least_junction_sine) {
-    // Too flat for the tangent to decide: the stem comes from the side where its last samples lie.
-    const double from = cross(direction, -end_chord(points, at_start, 3 * scale.step));
-    if (std::abs(from) > std::abs(sine)) end.bar_side = from > 0 ? -1 : 1;
-  }
-  if (end.bar_side * sine >= least_junction_sine) return end;
+  end.bar_side = cross(direction, target.into) >= 0 ? 1 : -1;
+  if (end.bar_side * cross(direction, end.tangent) >= least_junction_sine) return end;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
   end.tangent = ahead * std::sqrt(1 - least_junction_sine * least_junction_sine) * direction +
                 end.bar_side * least_junction_sine * left_of(direction);
@@ -230,7 +156,7 @@ Index end_of_piece(const HiddenPiece::End& piece, const Junctions& junctions) {
 }
 
 /// The ends of a known piece leave along it.
-void follow(const Points& piece, int bar_side, double distance, const std::vector<CleanLine>& lines, HiddenEnd& end) {
+void follow(const Points& piece, double distance, const std::vector<CleanLine>& lines, HiddenEnd& end) {
   double walked = 0;
   std::size_t i = 1;
   while (i + 1 < piece.size() && walked + (piece[i] - piece[i - 1]).norm() < distance) {
@@ -240,8 +166,6 @@ void follow(const Points& piece, int bar_side, double distance, const std::vecto
   const Vec2 step = piece[i] - piece[i - 1];
   const Vec2 ahead = piece[i - 1] + std::min(1.0, (distance - walked) / step.norm()) * step;
   end.tangent = (ahead - end.at).normalized();
-  end.bar_side = bar_side;
-  if (bar_side != 0) return;
   const Points& bar = lines[end.bar].points;
   const auto segment = static_cast<std::size_t>(end.bar_parameter);
   end.bar_side = cross(bar[(segment + 1) % bar.size()] - bar[segment], end.tangent) >= 0 ? 1 : -1;
@@ -255,59 +179,34 @@ void give_pieces(std::vector<HiddenPiece> pieces, const std::vector<CleanLine>& 
     const Index from = end_of_piece(piece.from, junctions);
     const Index to = end_of_piece(piece.to, junctions);
     if (from == no_index || to == no_index || from == to) continue;
-    follow(piece.points, piece.from.bar_side, ahead, lines, junctions.ends[from]);
-    follow(Points(piece.points.rbegin(), piece.points.rend()), piece.to.bar_side, ahead, lines, junctions.ends[to]);
+    follow(piece.points, ahead, lines, junctions.ends[from]);
+    follow(Points(piece.points.rbegin(), piece.points.rend()), ahead, lines, junctions.ends[to]);
     junctions.given.push_back({from, to, std::move(piece.points), std::move(piece.stroke)});
   }
 }
 
 LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index, bool at_start) {
-  const Vec2 at = line.end(at_start);
   const Index stroke = line.end_stroke(at_start);
-  return {make_error(Category::Geometry, "E_FREE_END",
-                     "The end of " + in_quotes(drawing, stroke) +
-                         " touches nothing: extend it to the line it passes behind, or close it",
-                     {stroke_subject(drawing, stroke, at)}),
-          {index}};
-}
-
-/// Whether a line whose ends touch nothing was meant to be closed: its ends are nearer than this share of its length.
-bool almost_closed(const CleanLine& line) {
-  constexpr double open_share = 0.25;
-  return (line.end(true) - line.end(false)).norm() < open_share * croquis::length(line.points, false);
-}
-
-LineFinding not_closed(const Drawing& drawing, const CleanLine& line, Index index) {
-  const Index stroke = line.end_stroke(true);
-  return {make_error(Category::Geometry, "E_FREE_END",
-                     "The outline " + in_quotes(drawing, stroke) +
-                         " isn't closed here: let its ends meet, or extend them to the line they pass behind",
-                     {stroke_subject(drawing, stroke, line.end(true)),
-                      stroke_subject(drawing, line.end_stroke(false), line.end(false))}),
+  return {no_solid("the end of " + in_quotes(drawing, stroke) + " touches nothing that it could pass behind",
+                   {stroke_subject(drawing, stroke, line.end(at_start))}),
           {index}};
 }
 
 LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& lines, Index bar,
                       const std::vector<HiddenEnd>& stems) {
-  const auto at = static_cast<std::size_t>(stems.front().bar_parameter);
-  const Index stroke = lines[bar].stroke[std::min(at, lines[bar].stroke.size() - 1)];
-  std::vector<Subject> subjects{stroke_subject(drawing, stroke)};
-  std::string left;
-  std::string right;
+  LineFinding result;
+  result.lines = {bar};
+  std::vector<Subject> subjects;
+  const HiddenEnd& first = stems.front();
+  const Index on_bar = lines[bar].stroke[static_cast<std::size_t>(first.bar_parameter)];
+  subjects.push_back(stroke_subject(drawing, on_bar, first.at));
   for (const HiddenEnd& stem : stems) {
-    const Index name = lines[stem.line].end_stroke(stem.at_start);
-    subjects.push_back(stroke_subject(drawing, name, stem.at));
-    std::string& group = stem.bar_side > 0 ? right : left;  // a stem comes from the side without surface
-    if (group.find(in_quotes(drawing, name)) == std::string::npos) {
-      group += (group.empty() ? "" : ", ") + in_quotes(drawing, name);
-    }
+    subjects.push_back(stroke_subject(drawing, lines[stem.line].end_stroke(stem.at_start), stem.at));
+    result.lines.push_back(stem.line);
   }
-  LineFinding result{make_error(Category::Geometry, "E_TWO_SIDED",
-                                "Lines end on both sides of " + in_quotes(drawing, stroke) +
-                                    ": only one side can be its surface, so move either " + left + " or " + right,
-                                std::move(subjects)),
-                     {bar}};
-  for (const HiddenEnd& stem : stems) result.lines.push_back(stem.line);
+  result.finding = no_solid(
+      "lines pass behind " + in_quotes(drawing, on_bar) + " on both of its sides, of which only one can be its surface",
+      std::move(subjects));
   return result;
 }
 
@@ -315,10 +214,9 @@ LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& line
 void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, Junctions& junctions) {
   std::vector<std::vector<HiddenEnd>> stems(lines.size());
   for (const HiddenEnd& end : junctions.ends) stems[end.bar].push_back(end);
-  junctions.sides.assign(lines.size(), 0);
   for (Index bar = 0; bar < lines.size(); ++bar) {
     if (stems[bar].empty()) continue;
-    const int side = stems[bar].front().bar_side;
+    const int side = junctions.sides[bar] != 0 ? junctions.sides[bar] : stems[bar].front().bar_side;
     const bool agreed = std::all_of(stems[bar].begin(), stems[bar].end(),
                                     [side](const HiddenEnd& stem) { return stem.bar_side == side; });
     if (agreed) {
@@ -331,38 +229,43 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 
 }  // namespace
 
-std::vector<MetBar> meet_bars(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale) {
-  std::vector<MetBar> met;
-  EndHits hits(lines.size());
-  for (Index line = 0; line < lines.size(); ++line) {
+void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const DrawingScale& scale) {
+  std::vector<std::array<std::optional<BarHit>, 2>> hits(lines.size());
+  for (Index line = 0; line < targets.size(); ++line) {
     for (const bool at_start : {true, false}) {
-      const std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
+      std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
       if (!target) continue;
       hits[line][at_start ? 0 : 1] = hit_of(lines, line, at_start, *target, scale.step);
-      if (const auto& hit = hits[line][at_start ? 0 : 1]) met.push_back({hit->at, target->into});
+      if (!hits[line][at_start ? 0 : 1]) target.reset();
     }
   }
-  move_ends(lines, hits, scale);
-  return met;
+  for (Index line = 0; line < targets.size(); ++line) {
+    for (const bool at_start : {false, true}) {
+      const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
+      if (!hit) continue;
+      if (at_start) reverse(lines[line]);
+      move_end(lines[line], *hit, scale.step);
+      if (at_start) reverse(lines[line]);
+      EndTarget& target = *targets[line][at_start ? 0 : 1];
+      target.at = hit->at;
+      target.miss = 0;
+    }
+  }
 }
 
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<MetBar>& met,
-                         std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress) {
-  // Bars may have lost the bit that a stem ended on.
-  const EndHits hits = lines_at_ends(lines, scale);
-  move_ends(lines, hits, scale);
+Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
+                         std::vector<HiddenPiece> pieces, const VisibleCrossings& order, const DrawingScale& scale,
+                         const Progress& progress) {
   Junctions junctions;
   junctions.tremble = scale.tremble;
+  junctions.sides = order.sides;
+  junctions.sides.resize(lines.size(), 0);
   for (Index line = 0; line < lines.size(); ++line) {
     if (lines[line].closed) continue;
-    if (!hits[line][0] && !hits[line][1] && almost_closed(lines[line])) {
-      junctions.findings.push_back(not_closed(drawing, lines[line], line));
-      continue;
-    }
     for (const bool at_start : {true, false}) {
-      const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
-      if (hit) {
-        junctions.ends.push_back(junction(lines, line, at_start, *hit, met, scale));
+      const std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
+      if (target) {
+        junctions.ends.push_back(junction(lines, line, at_start, *target, scale));
       } else {
         junctions.findings.push_back(free_end(drawing, lines[line], line, at_start));
       }
@@ -370,7 +273,7 @@ Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, 
   }
   give_pieces(std::move(pieces), lines, scale, junctions);
   decide_sides(drawing, lines, junctions);
-  LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, scale, progress);
+  LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, order, scale, progress);
   std::move(conflicts.begin(), conflicts.end(), std::back_inserter(junctions.findings));
   return junctions;
 }

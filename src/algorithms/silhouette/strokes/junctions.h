@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 
@@ -35,7 +35,7 @@ struct Junctions {
   std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
   std::vector<GivenPiece> given;
   double tremble = 0;     ///< of the hand, see `tremble_of`
-  LineFindings findings;  ///< E_FREE_END, E_TWO_SIDED, E_CROSS, E_TOUCH
+  LineFindings findings;  ///< E_NO_LABELLING, E_CROSS, E_TOUCH
 };
 
 /// Where the end of a line is to meet another one.
@@ -49,23 +49,16 @@ struct EndTarget {
 /// Per line: of its start and its end.
 using EndTargets = std::vector<std::array<std::optional<EndTarget>, 2>>;
 
-/// An end that lies on its bar, and where the bar's surface is.
-struct MetBar {
-  Vec2 at = Vec2::Zero();
-  Vec2 into = Vec2::Zero();
-};
+/// Trims or extends the lines to what their ends pass behind; targets then lie where lines end.
+void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const DrawingScale& scale);
 
-/// Trims or extends the lines to what their ends pass behind.
-std::vector<MetBar> meet_bars(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale);
-
-/// Finds what every open end passes behind, exactly where the line ends (Cordier, Seo, Cho 2006, section 3; the side
+/// What every open end passes behind, and where the surfaces of bars lie (Cordier, Seo, Cho 2006, section 3; the side
 /// rule is Williams 1994).
-///
-/// Lines have met their bars and end on them; `extend_behind_bars` carries them on. O(n) for evenly spread samples.
-/// @param met    what is known of ends, found again by their places
+/// @param lines   have met their bars and end on them; `extend_behind_bars` carries them on
 /// @param pieces between ends of the lines
-Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines, const std::vector<MetBar>& met,
-                         std::vector<HiddenPiece> pieces, const DrawingScale& scale, const Progress& progress);
+Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
+                         std::vector<HiddenPiece> pieces, const VisibleCrossings& order, const DrawingScale& scale,
+                         const Progress& progress);
 
 /// Carries each stem a little past its bar, so that the two cross instead of touching.
 void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);

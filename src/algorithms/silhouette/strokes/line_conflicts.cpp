@@ -114,8 +114,8 @@ LineFinding describe(const Drawing& drawing, Index s1, Index s2, const LineMeeti
 }  // namespace
 
 LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines,
-                                 const std::vector<HiddenEnd>& ends, const DrawingScale& scale,
-                                 const Progress& progress) {
+                                 const std::vector<HiddenEnd>& ends, const VisibleCrossings& order,
+                                 const DrawingScale& scale, const Progress& progress) {
   const SegmentGrid grid(line_segments(lines), scale.step, touch_distance * scale.unit);
   const ConflictSearch search(lines, ends, scale);
   std::map<std::pair<Index, Index>, LineMeeting> worst;  // by strokes; a crossing counts as worse than a touch
@@ -125,6 +125,7 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
     if (++visited % pairs_between_checks == 0) progress.check();
     const GridSegment& a = grid.segments()[i];
     const GridSegment& b = grid.segments()[j];
+    if (order.is_known(a.line, b.line)) return;
     const std::optional<LineMeeting> meeting = search.meeting(a, b);
     if (!meeting) return;
     const auto strokes = std::minmax(lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]);

@@ -142,11 +142,7 @@ CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>&
   for (const ChainLink& link : chain.links) {
     const SampledStroke& stroke = strokes[link.index];
     Points points = stroke.points;
-    Points raw = stroke.raw;
-    if (link.reversed) {
-      std::reverse(points.begin(), points.end());
-      std::reverse(raw.begin(), raw.end());
-    }
+    if (link.reversed) std::reverse(points.begin(), points.end());
     if (!growing.points.empty()) {
       trim_overlap(growing, points.front(), std::max(scale.gap, scale.reach_share * stroke.size));
       if (scale.aside_share > 0) bend_together(growing.points, points, stroke.length);
@@ -154,7 +150,6 @@ CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>&
     growing.points.insert(growing.points.end(), points.begin(), points.end());
     growing.stroke.insert(growing.stroke.end(), points.size(), stroke.stroke);
     line.strokes.push_back(stroke.stroke);
-    line.raw.insert(line.raw.end(), raw.begin(), raw.end());
     if (line.object.empty()) line.object = stroke.object;
   }
   const bool drawn_closed = chain.links.size() == 1 && strokes[chain.links.front().index].closed;

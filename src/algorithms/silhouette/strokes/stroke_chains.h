@@ -13,7 +13,6 @@ namespace croquis::silhouette {
 /// A stroke sampled evenly.
 struct SampledStroke {
   Points points;
-  Points raw;          ///< as drawn
   Index stroke = 0;    ///< index into Drawing::strokes
   std::string object;  ///< strokes of two named objects are never joined
   StrokeKind told = StrokeKind::Visible;

@@ -187,7 +187,6 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
     one.object = drawing.strokes[stroke.stroke].object;
     one.told = stroke_kind(drawing.strokes[stroke.stroke]).value_or(StrokeKind::Visible);
     one.closed = stroke.closed;
-    one.raw = stroke.points;
     one.length = stroke.length;
     one.size = size_of(stroke.points, stroke.closed);
     for (const double parameter : even_parameters(stroke.points, stroke.closed, spacing)) {

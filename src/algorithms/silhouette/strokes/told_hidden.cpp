@@ -68,7 +68,7 @@ class Teller {
         const bool is_other = other && other->line == line && other->at_start == at_start;
         if (distance > farthest || is_other || taken_.contains({line, at_start})) continue;
         farthest = distance;
-        found = End{line, at_start, 0};
+        found = End{line, at_start};
       }
     }
     return found;
