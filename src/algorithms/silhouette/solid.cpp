@@ -23,7 +23,9 @@ namespace {
 
 std::vector<Vec2> sample_places(const Stroke& stroke) {
   std::vector<Vec2> points;
-  for (const StrokeSample& sample : stroke.samples) points.push_back(sample.position);
+  for (const StrokeSample& sample : stroke.samples) {
+    if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
+  }
   return points;
 }
 
@@ -131,13 +133,25 @@ class SolidBuilder {
   }
 
   void add_lines(const LabelledDrawing& labelled) {
-    std::vector<Index> details;
-    double step = 0;
-    for (const LabelledFigure& figure : labelled.figures) step = std::max(step, figure.step);
-    for (Index s = 0; s < labelled.kinds.size(); ++s) {
-      if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) details.push_back(s);
+    constexpr double shown_within = 15;  // u: a line that near to a contour is that contour
+    std::vector<DrawnLine> details;
+    double step = 0, unit = 0;
+    for (const LabelledFigure& figure : labelled.figures) {
+      step = std::max(step, figure.step);
+      unit = std::max(unit, figure.unit);
     }
-    solid_.lines = surface_lines(drawing_, details, solid_.mesh, step);
+    for (Index s = 0; s < labelled.kinds.size(); ++s) {
+      const Stroke& stroke = drawing_.strokes[s];
+      DrawnLine line{s, sample_places(stroke), stroke.closed};
+      if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) {
+        details.push_back(std::move(line));
+      } else if (labelled.kinds[s] == StrokeKind::Contour) {
+        for (DrawnLine& piece : inner_pieces(line, labelled.figures, shown_within * unit)) {
+          details.push_back(std::move(piece));
+        }
+      }
+    }
+    solid_.lines = surface_lines(details, solid_.mesh, step);
   }
 
   void add_attachments(const LabelledFigure& figure, const HeldObjects& held) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/polyline.h"
+#include "algorithms/silhouette/strokes/segment_grid.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
@@ -68,20 +69,14 @@ class FrontSurface {
 
 }  // namespace
 
-std::vector<SurfaceLine> surface_lines(const Drawing& drawing, const std::vector<Index>& strokes, const PolyMesh& mesh,
-                                       double step) {
+std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, const PolyMesh& mesh, double step) {
   std::vector<SurfaceLine> lines;
-  if (strokes.empty()) return lines;
+  if (drawn.empty()) return lines;
   const FrontSurface surface(mesh, 2 * step);
-  for (const Index s : strokes) {
-    const Stroke& stroke = drawing.strokes[s];
-    Points points;
-    for (const StrokeSample& sample : stroke.samples) {
-      if (points.empty() || sample.position != points.back()) points.push_back(sample.position);
-    }
-    std::vector<double> parameters = even_parameters(points, stroke.closed, step);
-    if (stroke.closed) parameters.push_back(parameters.front());
-    SurfaceLine line{s, {}};
+  for (const auto& [stroke, points, closed] : drawn) {
+    std::vector<double> parameters = even_parameters(points, closed, step);
+    if (closed) parameters.push_back(parameters.front());
+    SurfaceLine line{stroke, {}};
     const auto finish = [&] {
       if (line.points.size() > 1) lines.push_back(line);
       line.points.clear();
@@ -102,6 +97,40 @@ std::vector<SurfaceLine> surface_lines(const Drawing& drawing, const std::vector
     finish();
   }
   return lines;
+}
+
+std::vector<DrawnLine> inner_pieces(const DrawnLine& line, const std::vector<LabelledFigure>& figures, double reach) {
+  std::vector<GridSegment> shown;
+  for (const LabelledFigure& figure : figures) {
+    for (const FigureContour& contour : figure.contours) {
+      for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+        const Index next = contour.vertices[(i + 1) % contour.vertices.size()];
+        if (contour.drawn[i] != 0) shown.push_back({figure.points[contour.vertices[i]], figure.points[next], 0, 0});
+      }
+    }
+  }
+  const SegmentGrid grid(std::move(shown), reach);
+  const auto is_shown = [&](const Vec2& place) {
+    bool near = false;
+    grid.near_box(place - Vec2::Constant(reach), place + Vec2::Constant(reach), [&](Index i) {
+      const GridSegment& segment = grid.segments()[i];
+      const double t = nearest_parameter(place, segment.a, segment.b);
+      near = near || (segment.a + t * (segment.b - segment.a) - place).norm() <= reach;
+    });
+    return near;
+  };
+  std::vector<DrawnLine> pieces;
+  DrawnLine piece{line.stroke, {}, false};
+  const auto finish = [&] {
+    if (piece.points.size() > 1 && length(piece.points, false) >= 3 * reach) pieces.push_back(piece);
+    piece.points.clear();
+  };
+  for (const double parameter : even_parameters(line.points, line.closed, reach / 2)) {
+    const Vec2 place = point_at(line.points, parameter);
+    is_shown(place) ? finish() : piece.points.push_back(place);
+  }
+  finish();
+  return pieces;
 }
 
 }  // namespace croquis::silhouette

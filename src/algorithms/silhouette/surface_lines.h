@@ -3,17 +3,26 @@
 
 #include <vector>
 
-#include "croquis/geometry/drawing.h"
+#include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 
 namespace croquis::silhouette {
 
-/// Carries strokes onto the front of a solid, along the direction in which they were drawn. A line ends where there is
+/// A line as it was drawn.
+struct DrawnLine {
+  Index stroke = 0;  ///< index into Drawing::strokes
+  std::vector<Vec2> points;
+  bool closed = false;
+};
+
+/// Carries lines onto the front of a solid, along the direction in which they were drawn. A line ends where there is
 /// no surface, and where the surface in front is another one.
 /// @param mesh    triangles
-/// @param strokes of the drawing
 /// @param step    distance of the points, sketch units
-std::vector<SurfaceLine> surface_lines(const Drawing& drawing, const std::vector<Index>& strokes, const PolyMesh& mesh,
-                                       double step);
+std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, const PolyMesh& mesh, double step);
+
+/// The pieces of a line, at least `3 * reach` long, that are farther than `reach` from all that figures show of their
+/// contours: what was drawn as part of an outline, but lies within it.
+std::vector<DrawnLine> inner_pieces(const DrawnLine& line, const std::vector<LabelledFigure>& figures, double reach);
 
 }  // namespace croquis::silhouette

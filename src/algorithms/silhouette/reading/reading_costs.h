@@ -67,5 +67,6 @@ inline constexpr double outline_as_tube = 9;    ///< the same of tubes
 inline constexpr double region = 12;
 inline constexpr double stroke_of_region = 2;  ///< each stroke that it consists of
 inline constexpr double rest_of_stroke = 2;    ///< times the share of the stroke that isn't on it
+inline constexpr double lost_of_stroke = 10;   ///< times the share of it that lies outside everything: it would be lost
 
 }  // namespace croquis::silhouette::costs

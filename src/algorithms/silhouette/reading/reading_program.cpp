@@ -123,7 +123,8 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
       double shared = 0;
       for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
       const double rest = 1 - share_in(shared, line.length);
-      return costs::stroke_of_region + costs::rest_of_stroke * rest * std::min(1.0, 2 * size);
+      return costs::stroke_of_region + costs::rest_of_stroke * rest * std::min(1.0, 2 * size) +
+             costs::lost_of_stroke * outside;
     }
     case LineKind::Detail:
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
