@@ -12,7 +12,6 @@ namespace croquis::silhouette {
 namespace {
 
 using Drawn = ContourPath::Drawn;
-using LinePairs = std::set<std::pair<Index, Index>>;
 
 /// A crossing as seen by one of its two segments.
 struct Passage {
@@ -74,10 +73,8 @@ RawCrossings find_crossings(const std::vector<ContourPath>& contours, double spa
 /// Builds the contours with their crossings, one after the other.
 class Crosser {
  public:
-  Crosser(const std::vector<ContourPath>& contours, const LinePairs& in_front, double spacing, double merging)
-      : paths_(contours), in_front_(in_front), merging_(merging), raw_(find_crossings(contours, spacing)) {
-    for (const auto& [front, behind] : in_front) behind_.insert(behind);
-  }
+  Crosser(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing, double merging)
+      : paths_(contours), order_(order), merging_(merging), raw_(find_crossings(contours, spacing)) {}
 
   Arrangement build() {
     result_.points = raw_.places;
@@ -106,8 +103,8 @@ class Crosser {
     }
     for (Index k = 0; k < lines.size(); ++k) {
       const auto [a, b] = lines[k];
-      if (in_front_.contains({a, b})) result_.crossings[k].over = ContourCrossing::Over::A;
-      if (in_front_.contains({b, a})) result_.crossings[k].over = ContourCrossing::Over::B;
+      if (order_.in_front.contains({a, b})) result_.crossings[k].over = ContourCrossing::Over::A;
+      if (order_.in_front.contains({b, a})) result_.crossings[k].over = ContourCrossing::Over::B;
     }
   }
 
@@ -229,7 +226,7 @@ class Crosser {
           (result_.points[contour.vertices[(i + 1) % count]] - result_.points[contour.vertices[i]]).norm();
       all += size;
       if (contour.drawn[i]) drawn += size;
-      if (contour.drawn[i] && behind_.contains(contour.line[i])) behind += size;
+      if (contour.drawn[i] && order_.behind.contains(contour.line[i])) behind += size;
       result_.segment_arc[base + i] = static_cast<Index>(result_.arcs.size());
     }
     result_.arcs.push_back({c, begin, length, 2 * drawn > all, 0});
@@ -237,8 +234,7 @@ class Crosser {
   }
 
   const std::vector<ContourPath>& paths_;
-  const LinePairs& in_front_;
-  std::set<Index> behind_;  ///< drawn lines
+  const VisibleCrossings& order_;
   double merging_;
   RawCrossings raw_;
   Arrangement result_;
@@ -246,9 +242,9 @@ class Crosser {
 
 }  // namespace
 
-Arrangement cross_contours(const std::vector<ContourPath>& contours, const LinePairs& in_front, double spacing,
+Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
                            double merging) {
-  return Crosser(contours, in_front, spacing, merging).build();
+  return Crosser(contours, order, spacing, merging).build();
 }
 
 ArcEnds arc_ends(const Arrangement& arrangement) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
-#include <utility>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/polyline.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
@@ -57,11 +55,11 @@ struct Arrangement {
 };
 
 /// Crosses closed contours with one another: exact predicates, a uniform grid, near O(n).
-/// @param in_front pairs of drawn lines, the first of which lies in front where they cross
+/// @param order what is known of drawn lines that cross
 /// @param spacing usual length of a segment
 /// @param merging samples nearer to a crossing than this share of their segment give way to it
-Arrangement cross_contours(const std::vector<ContourPath>& contours, const std::set<std::pair<Index, Index>>& in_front,
-                           double spacing, double merging);
+Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
+                           double merging);
 
 /// The index of the arc that arrives at, or leaves from, a vertex of a contour which is a crossing.
 struct ArcEnds {

@@ -194,7 +194,7 @@ class Search {
           close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
       if (!contours) return trial;
       trial.contours = std::move(*contours);
-      trial.arrangement = cross_contours(trial.contours.paths, context_.order.in_front, context_.scale.step,
+      trial.arrangement = cross_contours(trial.contours.paths, context_.order, context_.scale.step,
                                          attempt % 2 == 0 ? merging : least_merging);
       arcs_ += trial.arrangement.arcs.size();
       trial.sides.clear();

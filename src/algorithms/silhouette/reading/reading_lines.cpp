@@ -139,10 +139,13 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
         gap_warning(drawing, strokes[a.stroke].stroke, strokes[b.stroke].stroke, (a.place + b.place) / 2, distance));
   }
   std::vector<Index> line_of_stroke(strokes.size(), no_index);
+  std::vector<int> direction(strokes.size(), 1);  // of a stroke in its line
   const std::vector<Chain> chains = ChainSearch(connections, reading).take();
   for (const Chain& chain : chains) {
-    for (const ChainLink& link : chain.strokes.links)
+    for (const ChainLink& link : chain.strokes.links) {
       line_of_stroke[link.index] = static_cast<Index>(result.lines.size());
+      if (link.reversed) direction[link.index] = -1;
+    }
     result.lines.push_back(join_chain(chain.strokes, strokes, sampled.scale));
     result.lines.back().bridged = chain.strokes.closed && chain.gap >= 1;
   }
@@ -170,8 +173,11 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
     for (std::size_t k = 0; k < 2; ++k) {
       const auto meeting = std::ranges::find(reading.meetings, chains[line].ends[k], &EndMeeting::end);
       if (meeting == reading.meetings.end()) continue;
-      if (const Index bar = bar_of(*meeting); bar != no_index)
-        result.targets[line][k] = EndTarget{bar, meeting->at, std::abs(meeting->along), meeting->into};
+      const Index bar = bar_of(*meeting);
+      if (bar == no_index) continue;
+      // Regions lie on the left of their outlines.
+      const int side = bar < chains.size() ? meeting->side * direction[meeting->bar] : 1;
+      result.targets[line][k] = EndTarget{bar, meeting->at, std::abs(meeting->along), side};
     }
   }
   return result;

@@ -251,8 +251,14 @@ void ReadingProgram::add_connections() {
                      : program_.add_row({{taken, 1}, {side, 1}}, 0, 1);
   }
   for (const HiddenPair& pair : connections_.hidden) {
-    const Index taken = program_.add_variable(0, 1, pair.cost);
+    const Index stroke = connections_.ends[pair.a].stroke;
+    const bool is_limb = connections_.ends[pair.b].stroke == stroke;
+    const Index taken = program_.add_variable(0, 1, pair.cost + (is_limb ? thinness_cost(stroke) : 0));
     hidden_.push_back(taken);
+    if (is_limb) {  // the surface lies in what its line goes round
+      signed_area(strokes_[stroke].points) > 0 ? program_.add_row({{taken, 1}, {side_[stroke], -1}}, -1, 0)
+                                               : program_.add_row({{taken, 1}, {side_[stroke], 1}}, 0, 1);
+    }
     hidden[pair.a].push_back({taken, 1});
     hidden[pair.b].push_back({taken, 1});
     keep_side(taken, pair.a, pair.b);

@@ -136,11 +136,11 @@ double bar_parameter(const std::vector<CleanLine>& lines, Index line, bool at_st
 HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
                    const DrawingScale& scale) {
   const double parameter = bar_parameter(lines, line, at_start, target, scale.step);
-  HiddenEnd end{line, at_start, target.bar, parameter, target.at, end_direction(lines[line], at_start, scale), 1};
+  HiddenEnd end{line,       at_start, target.bar, parameter, target.at, end_direction(lines[line], at_start, scale),
+                target.side};
   const Points& bar = lines[target.bar].points;
   const auto segment = static_cast<std::size_t>(parameter);
   const Vec2 direction = (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
-  end.bar_side = cross(direction, target.into) >= 0 ? 1 : -1;
   if (end.bar_side * cross(direction, end.tangent) >= least_junction_sine) return end;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
   end.tangent = ahead * std::sqrt(1 - least_junction_sine * least_junction_sine) * direction +

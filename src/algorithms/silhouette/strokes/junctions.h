@@ -42,8 +42,8 @@ struct Junctions {
 struct EndTarget {
   Index bar = 0;  ///< line
   Vec2 at = Vec2::Zero();
-  double miss = 0;           ///< how far the end is from it
-  Vec2 into = Vec2::Zero();  ///< unit, across the bar into its surface
+  double miss = 0;  ///< how far the end is from it
+  int side = 1;     ///< the bar's surface lies on its left (+1) or right (-1)
 };
 
 /// Per line: of its start and its end.

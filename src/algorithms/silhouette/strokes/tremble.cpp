@@ -24,7 +24,7 @@ constexpr double steadiest_share = 0.25;
 constexpr double direction_share = 0.2;
 
 // More crossings than this are no tremble.
-constexpr int most_crossings = 6;
+constexpr int most_crossings = 30;
 // Nor is one nearer to an end than so many times what an end may miss.
 constexpr double free_reach = 2;
 
@@ -117,7 +117,7 @@ Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& sca
 
 std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
   std::vector<Vec2> places;
-  if (scale.tremble <= 0) return places;
+  if (scale.reach_share <= 0) return places;
   const CleanLine drawn = line;
   while (const auto crossing = first_crossing(line, scale)) {
     const auto [i, k] = *crossing;

@@ -127,6 +127,7 @@ class CrossingReader {
         const std::vector<LineRun> runs = covered_runs(lines_[line], lines_[cover.front], tremble, scale_.step);
         if (runs.empty()) continue;
         result_.in_front.emplace(cover.front, line);
+        result_.behind.insert(line);
         const int inside = signed_area(lines_[cover.front].points) > 0 ? 1 : -1;
         result_.sides[cover.front] = cover.is_hole ? -inside : inside;
         const bool starts_covered = !lines_[line].closed && runs.front().begin <= 0;

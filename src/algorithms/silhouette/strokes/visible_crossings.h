@@ -14,6 +14,7 @@ namespace croquis::silhouette {
 
 struct VisibleCrossings {
   std::set<std::pair<Index, Index>> in_front;  ///< pairs of lines that cross; the first one lies in front
+  std::set<Index> behind;                      ///< the second ones of these pairs
   std::vector<int> sides;                      ///< per line in front: its surface is on the left (+1) or right (-1)
   std::vector<CrossingInView> pairs;
   Findings findings;  ///< W_CROSS for every pair
