@@ -36,7 +36,7 @@ struct TraceOptions {
 Drawing trace_picture(const Picture& picture, const std::string& file_name, Progress& progress,
                       const TraceOptions& options = {});
 
-/// Whether these are the bytes of a picture's file rather than of a drawing: PNG, JPEG, GIF, WebP, BMP or TIFF.
+/// Whether these are the bytes of a picture's file rather than of a drawing: PNG, JPEG, HEIF, GIF, WebP, BMP or TIFF.
 bool is_picture(std::string_view bytes);
 
 /// Reads a PNG file and traces it.

@@ -23,6 +23,7 @@ using namespace tracing;
 
 constexpr double faintest_line = 0.45;  // × the usual darkness along lines: creases and grain are fainter
 constexpr std::size_t branches_per_stroke = 20;
+constexpr std::string_view png_beginning = "\x89PNG";
 
 [[noreturn]] void refuse_tracing(const std::string& file, Category category, const char* code,
                                  const std::string& reason) {
@@ -121,12 +122,14 @@ Drawing trace_picture(const Picture& picture, const std::string& file_name, Prog
 }
 
 bool is_picture(std::string_view bytes) {
-  constexpr std::array<std::string_view, 6> beginnings{"\x89PNG", "\xFF\xD8\xFF", "GIF8", "RIFF", "BM", "II*"};
-  return std::ranges::any_of(beginnings, [&](std::string_view beginning) { return bytes.starts_with(beginning); });
+  constexpr std::array<std::string_view, 6> beginnings{png_beginning, "\xFF\xD8\xFF", "GIF8", "RIFF", "BM", "II*"};
+  const bool is_heif = bytes.size() > 8 && bytes.substr(4, 4) == "ftyp";
+  return is_heif ||
+         std::ranges::any_of(beginnings, [&](std::string_view beginning) { return bytes.starts_with(beginning); });
 }
 
 Drawing read_picture_drawing(std::string_view bytes, const std::string& file_name, Progress& progress) {
-  if (!bytes.starts_with("\x89PNG")) {
+  if (!bytes.starts_with(png_beginning)) {
     refuse_tracing(file_name, Category::Malformed, "E_PICTURE_FILE",
                    "isn't a PNG file, the only pictures that are read here: save it as PNG, or open it in the studio");
   }
