@@ -11,8 +11,8 @@
 namespace croquis::tracing {
 namespace {
 
-constexpr double wide = 2.5;           // × the usual half width: no line
-constexpr double wide_alone = 1.6;     // the same for a shape that no line is joined to
+constexpr double wide_shape = 2.5;     // × the usual half width: no line
+constexpr double dot_alone = 1.6;      // the same for a shape that no line is joined to
 constexpr double most_slender = 2;     // longest way to the middle, × the half width, of a shape that stands alone
 constexpr double least_compact = 0.4;  // area / that of a circle of the same length
 
@@ -73,7 +73,7 @@ bool is_dot_alone(const std::vector<Pixel>& pixels, const PixelGrid<int>& distan
     radius = std::max(radius, static_cast<double>(distances.at(p.x, p.y)) / pixel_step);
     middle += Vec2(p.x, p.y);
   }
-  if (radius < wide_alone * half_width) return false;
+  if (radius < dot_alone * half_width) return false;
   middle /= static_cast<double>(pixels.size());
   return std::ranges::all_of(pixels,
                              [&](const Pixel& p) { return (Vec2(p.x, p.y) - middle).norm() < most_slender * radius; });
@@ -81,7 +81,7 @@ bool is_dot_alone(const std::vector<Pixel>& pixels, const PixelGrid<int>& distan
 
 /// The pixels that belong to wide shapes: those within reach of the places that are far from the outside.
 Mask wide_part(const Mask& mask, const PixelGrid<int>& distances, double half_width) {
-  const int reach = static_cast<int>(std::ceil(wide * half_width * pixel_step));
+  const int reach = static_cast<int>(std::ceil(wide_shape * half_width * pixel_step));
   Mask shapes(mask.width, mask.height);
   Mask beside(mask.width, mask.height, 1);
   for (std::size_t i = 0; i < mask.values.size(); ++i) beside.values[i] = distances.values[i] > reach ? 0 : 1;

@@ -17,6 +17,7 @@ constexpr double gap_turn = 35 * degree;   // of a line on either side of a gap
 constexpr double sight = 6;                // half widths over which the direction of an end is taken
 constexpr double widest_gap = 3;           // half widths, or
 constexpr double least_gap = 3.5;          // pixels, if that is more
+constexpr std::size_t most_ends = 40;      // at a node whose lines can be told apart
 constexpr double blurred = 1.2;            // half widths around a node within which thinning bends lines
 
 /// An end of a branch and how the branch leaves there.
@@ -38,7 +39,7 @@ BranchEnd leave(const Branch& branch, Index end, double skipped, double reach) {
   const std::vector<double> lengths = arc_lengths(points, false);
   const auto at = [&](double way) {
     const auto found = std::ranges::lower_bound(lengths, std::min(way, lengths.back()));
-    return points[std::min<std::size_t>(found - lengths.begin(), points.size() - 1)];
+    return points[static_cast<std::size_t>(found - lengths.begin())];
   };
   const Vec2 near = at(std::min(skipped, lengths.back() / 2)), far = at(skipped + reach);
   return {near, (near - far).normalized()};
@@ -93,6 +94,7 @@ class Joining {
       const std::vector<Index>& ends = at_nodes_[node];
       const double skipped = blurred * skeleton_.nodes[node].half_width;
       for (const Index end : ends) leaving_[end] = leave(branch_of(end), end, skipped, sight * half_width_);
+      if (ends.size() > most_ends) continue;
       std::vector<Match> matches;
       for (std::size_t i = 0; i < ends.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {

@@ -17,11 +17,10 @@
 #include "io/tracing/traced_curve.h"
 
 namespace croquis {
+namespace tracing {
 namespace {
 
-using namespace tracing;
-
-constexpr double faintest_line = 0.45;  // × the usual darkness along lines: creases and grain are fainter
+constexpr double faintest_line = 0.45;  // × the usual darkness along lines
 constexpr std::size_t branches_per_stroke = 20;
 constexpr std::string_view png_beginning = "\x89PNG";
 
@@ -61,13 +60,24 @@ double darkness_along(const TracedLine& line, const PixelGrid<float>& darkness) 
   return sum / static_cast<double>(line.points.size());
 }
 
-/// Leaves out what is too short or far fainter than most of the lines.
-void drop_specks(std::vector<TracedLine>& lines, const PixelGrid<float>& darkness, double shortest) {
+/// Half as large about its middle: inside a compact shape.
+TracedLine halved(TracedLine dot) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& point : dot.points) middle += point / static_cast<double>(dot.points.size());
+  for (Vec2& point : dot.points) point = (point + middle) / 2;
+  return dot;
+}
+
+/// Leaves out lines that are too short, and what is far fainter than most of the lines: creases, and corners between
+/// shadows.
+void drop_specks(std::vector<TracedLine>& lines, std::vector<TracedLine>& dots, const PixelGrid<float>& darkness,
+                 double shortest) {
   std::erase_if(lines, [&](const TracedLine& line) { return length(line.points, line.closed) < shortest; });
   std::vector<double> along;
   for (const TracedLine& line : lines) along.insert(along.end(), line.points.size(), darkness_along(line, darkness));
   const double faintest = faintest_line * median(std::move(along));
   std::erase_if(lines, [&](const TracedLine& line) { return darkness_along(line, darkness) < faintest; });
+  std::erase_if(dots, [&](const TracedLine& dot) { return darkness_along(halved(dot), darkness) < faintest; });
 }
 
 /// All lines and the borders of dots; pixels.
@@ -82,7 +92,7 @@ std::vector<TracedLine> lines_of(Ink& ink, const TraceOptions& options, const st
   const Skeleton skeleton = simplified(skeleton_of(thin, distances));
   if (skeleton.branches.size() > branches_per_stroke * options.most_strokes) refuse_crowd(file);
   std::vector<TracedLine> lines = joined_lines(skeleton, half_width);
-  drop_specks(lines, ink.darkness, options.shortest_stroke * 2 * half_width);
+  drop_specks(lines, dots, ink.darkness, options.shortest_stroke * 2 * half_width);
   lines.insert(lines.end(), dots.begin(), dots.end());
   if (lines.size() > options.most_strokes) refuse_crowd(file);
   for (TracedLine& line : lines) line = smooth_curve(line, half_width);
@@ -98,40 +108,43 @@ Stroke stroke_of(const TracedLine& line, double unit) {
 }
 
 }  // namespace
+}  // namespace tracing
 
 Drawing trace_picture(const Picture& picture, const std::string& file_name, Progress& progress,
                       const TraceOptions& options) {
   Progress finding = progress.step("find lines", 0.6);
-  Ink ink = find_ink(picture, options, finding);
-  Progress tracing = progress.step("trace lines", 0.4);
-  std::vector<TracedLine> lines = lines_of(ink, options, file_name, tracing);
+  tracing::Ink ink = tracing::find_ink(picture, options, finding);
+  Progress following = progress.step("trace lines", 0.4);
+  std::vector<tracing::TracedLine> lines = tracing::lines_of(ink, options, file_name, following);
   if (lines.empty()) {
-    refuse_tracing(file_name, Category::Malformed, "E_NO_STROKES",
-                   "has no line in it: draw with a darker pen, or take the picture nearer and in more light");
+    tracing::refuse_tracing(file_name, Category::Malformed, "E_NO_STROKES",
+                            "has no line in it: draw with a darker pen, or take the picture nearer and in more light");
   }
   std::ranges::stable_sort(lines, std::greater(),
-                           [](const TracedLine& line) { return length(line.points, line.closed); });
+                           [](const tracing::TracedLine& line) { return length(line.points, line.closed); });
   const double unit = traced_side / std::max(ink.mask.width, ink.mask.height);
   Drawing drawing;
   drawing.file = file_name;
-  for (const TracedLine& line : lines) {
-    drawing.strokes.push_back(stroke_of(line, unit));
+  for (const tracing::TracedLine& line : lines) {
+    drawing.strokes.push_back(tracing::stroke_of(line, unit));
     drawing.strokes.back().id = "stroke-" + std::to_string(drawing.strokes.size());
   }
   return drawing;
 }
 
 bool is_picture(std::string_view bytes) {
-  constexpr std::array<std::string_view, 6> beginnings{png_beginning, "\xFF\xD8\xFF", "GIF8", "RIFF", "BM", "II*"};
+  constexpr std::array<std::string_view, 6> beginnings{
+      tracing::png_beginning, "\xFF\xD8\xFF", "GIF8", "RIFF", "BM", "II*"};
   const bool is_heif = bytes.size() > 8 && bytes.substr(4, 4) == "ftyp";
   return is_heif ||
          std::ranges::any_of(beginnings, [&](std::string_view beginning) { return bytes.starts_with(beginning); });
 }
 
 Drawing read_picture_drawing(std::string_view bytes, const std::string& file_name, Progress& progress) {
-  if (!bytes.starts_with(png_beginning)) {
-    refuse_tracing(file_name, Category::Malformed, "E_PICTURE_FILE",
-                   "isn't a PNG file, the only pictures that are read here: save it as PNG, or open it in the studio");
+  if (!bytes.starts_with(tracing::png_beginning)) {
+    tracing::refuse_tracing(
+        file_name, Category::Malformed, "E_PICTURE_FILE",
+        "isn't a PNG file, the only pictures that are read here: save it as PNG, or open it in the studio");
   }
   const Picture picture = decode_png(bytes, file_name);
   return trace_picture(picture, file_name, progress);

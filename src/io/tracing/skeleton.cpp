@@ -146,7 +146,7 @@ bool remove_spurs(Skeleton& skeleton) {
 /// Whether two lines that cross at a small angle share a branch: all four go on ahead where it ends.
 bool is_slanting_link(const Skeleton& skeleton, const Branch& link, const std::vector<std::vector<Index>>& ends) {
   const Vec2 along = skeleton.nodes[link.nodes[1]].place - skeleton.nodes[link.nodes[0]].place;
-  for (const std::size_t side : {0, 1}) {
+  for (const std::size_t side : {0U, 1U}) {
     const Index node = link.nodes[side];
     if (ends[node].size() != 3) return false;
     for (const Index end : ends[node]) {
@@ -209,7 +209,7 @@ void merge_nodes(Skeleton& skeleton) {
 std::vector<std::vector<Index>> ends_at_nodes(const Skeleton& skeleton) {
   std::vector<std::vector<Index>> ends(skeleton.nodes.size());
   for (std::size_t i = 0; i < skeleton.branches.size(); ++i) {
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {0U, 1U}) {
       const Index node = skeleton.branches[i].nodes[side];
       if (node != no_index) ends[node].push_back(end_at(i, side));
     }
