@@ -159,6 +159,12 @@ TEST_CASE("uneven light, a shadow's edge, grain and a dark desk around the sheet
   CHECK(distance_between(traced(some_lines(), soft), some_lines()) < 1.7);
 }
 
+TEST_CASE("the lines of squared paper are no strokes where the drawing is far darker") {
+  PictureLook squared = phone_photo();
+  squared.squares = 0.3;
+  CHECK(distance_between(traced(some_lines(), squared), some_lines()) < 2);
+}
+
 TEST_CASE("the same sheet gives the same drawing whatever its pixels") {
   PictureLook large = phone_photo();
   large.width = 3200;

@@ -2,7 +2,9 @@
 #include "io/tracing/ink.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace croquis::tracing {
@@ -15,7 +17,7 @@ constexpr float darkest_ground = 0.35F;    // × that of the light part of the p
 constexpr float noise_factor = 6;          // × the usual deviation: what is darker isn't grain of the paper
 constexpr float least_darkness = 0.06F;    // of ink on paper without any grain
 constexpr float sure_ink = 0.5F;           // × the usual ink: what is darker begins a line …
-constexpr float faint_ink = 0.3F;          // … which goes on where it is darker than this
+constexpr float faint_ink = 0.35F;         // … which goes on where it is darker than this
 constexpr float faint_grain = 0.8F;        // the same of grain
 constexpr std::size_t largest_speck = 20;  // pixels
 
@@ -236,6 +238,33 @@ float grain_of(const Brightness& depth) {
   return usual + noise_factor * quantile(std::move(deviations), 0.5);
 }
 
+/// The darkness of what was drawn, among values of all that is darker than grain: that of the dark ones of two classes
+/// (Otsu 1979), since the lines of squared paper may take more room than those drawn on it.
+float usual_ink(const std::vector<float>& values) {
+  constexpr std::size_t bins = 64;
+  std::array<double, bins> counts{};
+  const auto bin_of = [](float value) { return std::min(static_cast<std::size_t>(value * bins), bins - 1); };
+  double sum = 0;
+  for (const float value : values) {
+    ++counts[bin_of(value)];
+    sum += static_cast<double>(bin_of(value));
+  }
+  const auto all = static_cast<double>(values.size());
+  double below = 0, sum_below = 0, greatest = -1;
+  std::size_t first_dark = 0;
+  for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
+    below += counts[bin];
+    sum_below += static_cast<double>(bin) * counts[bin];
+    if (below == 0 || below == all) continue;
+    const double between = std::pow(sum_below / below - (sum - sum_below) / (all - below), 2) * below * (all - below);
+    if (between > greatest) first_dark = bin + 1;
+    greatest = std::max(greatest, between);
+  }
+  std::vector<float> dark;
+  std::ranges::copy_if(values, std::back_inserter(dark), [&](float value) { return bin_of(value) >= first_dark; });
+  return dark.empty() ? 1 : quantile(std::move(dark), 0.5);
+}
+
 }  // namespace
 
 Ink find_ink(const Picture& picture, const TraceOptions& options, Progress& progress) {
@@ -266,7 +295,7 @@ Ink find_ink(const Picture& picture, const TraceOptions& options, Progress& prog
   for (std::size_t i = 0; i < light.values.size(); ++i) {
     if (candidates.values[i] != 0) dark.push_back(ink.darkness.values[i]);
   }
-  const float usual = dark.empty() ? 1 : quantile(std::move(dark), 0.75);
+  const float usual = usual_ink(dark);
   progress.check();
   ink.mask = connected_to(darker_than(1, sure_ink * usual), darker_than(faint_grain, faint_ink * usual));
   return ink;

@@ -79,7 +79,9 @@ double ground_at(const Vec2& place, const Vec2& size, const PictureLook& look) {
   const bool on_desk = look.desk > 0 && to_edge.minCoeff() < look.desk;
   const double below = (place.y() / size.y() + place.x() / size.x() - 1.1) * size.x();
   const double shade = look.shadow * std::clamp(below / std::max(look.shadow_edge, 1e-9) + 0.5, 0.0, 1.0);
-  return (on_desk ? 0.2 : look.paper) * (1 - shade) * (1 - look.fading * place.x() / size.x());
+  const double to_square = std::min(std::fmod(place.x(), 40), std::fmod(place.y(), 40));
+  const double line = to_square < 1.5 && !on_desk ? look.squares : 0;
+  return (on_desk ? 0.2 : look.paper) * (1 - line) * (1 - shade) * (1 - look.fading * place.x() / size.x());
 }
 
 /// Nearly normally distributed, of mean 0 and deviation 1.

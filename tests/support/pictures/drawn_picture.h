@@ -25,6 +25,7 @@ struct PictureLook {
   double shadow = 0;         ///< part of the light that is lost below a diagonal
   double shadow_edge = 0;    ///< units over which that shadow begins
   double desk = 0;           ///< units around the sheet that are dark, seen at a slant
+  double squares = 0;        ///< part of the light that is lost at lines of squared paper, 40 units apart
   double noise = 0;          ///< standard deviation of the brightness
   bool transparent = false;  ///< ink on nothing
 };
