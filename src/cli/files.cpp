@@ -12,6 +12,7 @@
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/perspective_drawing_file.h"
+#include "croquis/io/picture_trace.h"
 #include "croquis/io/svg_drawing.h"
 
 namespace croquis::cli {
@@ -80,12 +81,16 @@ Report read_report(const std::string& path) {
 }
 
 Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress) {
-  if (!invocation.input_format.empty() && invocation.input_format != "svg") {
+  const std::string& format = invocation.input_format;
+  if (!format.empty() && format != "svg" && format != "png") {
     throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "There is no drawing format '" + invocation.input_format + "': use svg.",
+                           "There is no drawing format '" + format + "': use svg, or png for a picture of one.",
                            {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
   }
-  DrawingReadResult read = read_svg_drawing(read_input(invocation), shown_name(invocation.input), progress);
+  const std::string bytes = read_input(invocation);
+  const std::string name = shown_name(invocation.input);
+  if (format.empty() ? is_picture(bytes) : format == "png") return read_picture_drawing(bytes, name, progress);
+  DrawingReadResult read = read_svg_drawing(bytes, name, progress);
   append(result.warnings, read.warnings);
   return std::move(read.drawing);
 }

@@ -10,12 +10,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/dialogs.h"
 #include "app/files/picture_reader.h"
 #include "app/studio_fixture.h"
 #include "app/tools/backdrop/backdrop_tool.h"
 #include "croquis/base/error.h"
 #include "croquis/document/backdrop.h"
 #include "croquis/io/file.h"
+#include "croquis/io/picture_trace.h"
+#include "croquis/io/png.h"
+#include "support/pictures/drawn_picture.h"
 
 namespace croquis::test {
 namespace {
@@ -54,7 +58,16 @@ QColor color_at(StudioFixture& hand, const Vec2& place) {
 bool is_red(const QColor& color) { return color.red() > color.blue() + 60; }
 bool is_blue(const QColor& color) { return color.blue() > color.red() + 60; }
 
-void drop(StudioFixture& hand, const QString& path) {
+/// Drops a file on the window, and answers what is asked with the button of that text; empty: Cancel.
+void drop(StudioFixture& hand, const QString& path, const QString& answer = "Backdrop") {
+  in_dialog<QMessageBox>([answer](QMessageBox& question) {
+    CHECK(question.objectName() == "picture-question");
+    QAbstractButton* wanted = question.button(QMessageBox::Cancel);
+    for (QAbstractButton* button : question.buttons()) {
+      if (button->text().remove('&') == answer) wanted = button;
+    }
+    wanted->click();
+  });
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(path)});
   const QPointF at = hand.viewport().pane(app::SketchView).rect.center();
@@ -63,6 +76,19 @@ void drop(StudioFixture& hand, const QString& path) {
   REQUIRE(enters.isAccepted());
   QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&hand.window(), &event);
+}
+
+/// A sheet with a ring and a dot beside it, on a dark desk.
+QString saved_sheet(StudioFixture& hand, const QString& name) {
+  PictureLook look;
+  look.desk = 40;
+  look.noise = 0.01;
+  const std::vector<InkLine> lines{ink_circle({450, 350}, 200), ink_line({{700, 300}, {800, 500}})};
+  const Picture picture{look.width, look.height, drawn_pixels(lines, look)};
+  const QImage image(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBA8888);
+  const QString path = hand.folder() + "/" + name;
+  REQUIRE(image.save(path, nullptr, 90));
+  return path;
 }
 
 std::string refusal_of(std::string bytes) {
@@ -226,6 +252,82 @@ TEST_CASE("large pictures and those turned by their file are shown as people see
   file.close();
   CHECK_FALSE(hand.window().open(broken));
   CHECK(hand.window().last_findings().front().code == "E_PICTURE_FILE");
+}
+
+TEST_CASE("a picture that is dropped to be traced becomes strokes and a solid in one step", "[backdrop]") {
+  for (const char* name : {"sheet.png", "sheet.jpg"}) {
+    StudioFixture hand;
+    hand.window().start_sketch();
+    hand.draw({{-500, -50}, {-500, 50}, {-400, 50}, {-400, -50}, {-500, -50}});
+    const std::size_t steps = hand.studio().session().undo_labels().size();
+    const std::size_t objects = hand.studio().objects().size();
+    drop(hand, saved_sheet(hand, name), "Trace lines");
+    REQUIRE(hand.wait_for([&] { return hand.studio().objects().size() == objects + 1; }));
+    hand.settle();
+    REQUIRE(hand.studio().drawing().strokes.size() == 2);
+    CHECK(hand.studio().drawing().strokes.front().closed);
+    CHECK(backdrop_of(hand) == nullptr);
+    CHECK(hand.studio().solid() != nullptr);
+    CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+    hand.act("undo");
+    CHECK(hand.studio().objects().size() == objects);
+    CHECK(hand.studio().drawing().strokes.size() == 1);
+  }
+}
+
+TEST_CASE("a traced picture fills a sketch that was begun; a dropped one that isn't wanted changes nothing",
+          "[backdrop]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  drop(hand, saved_sheet(hand, "sheet.png"), "");
+  hand.settle();
+  CHECK(hand.studio().objects().empty());
+  drop(hand, saved_sheet(hand, "sheet.png"), "Trace lines");
+  REQUIRE(hand.wait_for([&] { return hand.studio().drawing().strokes.size() == 2; }));
+  hand.settle();
+  CHECK(hand.studio().objects().size() == 1);
+  hand.act("undo");
+  CHECK(hand.studio().drawing().strokes.empty());
+}
+
+TEST_CASE("a picture without lines isn't traced, and says so", "[backdrop]") {
+  StudioFixture hand;
+  hand.window().start_sketch();
+  QImage blank(400, 300, QImage::Format_RGB32);
+  blank.fill(Qt::white);
+  const QString path = hand.folder() + "/blank.png";
+  REQUIRE(blank.save(path));
+  drop(hand, path, "Trace lines");
+  REQUIRE(hand.wait_for([&] { return !hand.window().last_findings().empty(); }));
+  CHECK(hand.window().last_findings().front().code == "E_NO_STROKES");
+  CHECK(hand.studio().objects().empty());
+}
+
+TEST_CASE("photos that their file turns are traced upright", "[backdrop]") {
+  StudioFixture hand;
+  const QString path = saved_sheet(hand, "sheet.jpg");
+  const auto reach = [](const Drawing& drawing) {
+    Vec2 low(1e9, 1e9), high(-1e9, -1e9);
+    for (const Stroke& stroke : drawing.strokes) {
+      for (const StrokeSample& sample : stroke.samples) {
+        low = low.cwiseMin(sample.position);
+        high = high.cwiseMax(sample.position);
+      }
+    }
+    return Vec2(high - low);
+  };
+  std::string bytes = read_file(path.toStdString());
+  Progress progress;
+  const Vec2 upright = reach(app::traced_picture(bytes, "sheet.jpg", progress));
+  // Exif data after the first marker: orientation 6, a quarter turn.
+  const std::string exif(
+      "\xFF\xE1\0\x22"
+      "Exif\0\0"
+      "MM\0*\0\0\0\x08\0\1\x01\x12\0\3\0\0\0\1\0\6\0\0\0\0\0\0",
+      36);
+  bytes.insert(2, exif);
+  const Vec2 turned = reach(app::traced_picture(bytes, "sheet.jpg", progress));
+  CHECK((turned - Vec2(upright.y(), upright.x())).norm() < 4);
 }
 
 }  // namespace croquis::test

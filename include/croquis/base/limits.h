@@ -24,6 +24,9 @@ inline constexpr int deepest_nesting = 200;
 /// The most pieces of curves, and samples of them, in one drawing: some hundred megabytes.
 inline constexpr std::size_t most_curve_pieces = 4'000'000;
 
+/// The most pixels of a picture that is read: 400 MB, and a sheet of A4 at 950 dots per inch.
+inline constexpr std::size_t most_picture_pixels = 100'000'000;
+
 /// How sentences say of a number that it can't be used: "vertex 3 has a coordinate that …".
 inline constexpr const char* unusable_words = "isn't finite or is larger than 1e30";
 

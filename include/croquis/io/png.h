@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace croquis {
@@ -17,5 +18,14 @@ struct Picture {
 /// The bytes of a PNG file of the picture. The same picture gives the same bytes.
 /// @throws Error (E_PICTURE, internal) when the sizes contradict each other or the picture is empty
 std::string encode_png(const Picture& picture);
+
+/// How a PNG file's pixels lie: the orientation that its Exif data tell, 1..8; 1, as they are, where they tell none.
+/// Any bytes.
+int png_orientation(std::string_view bytes);
+
+/// The picture of a PNG file that may come from anybody, upright as its Exif data say.
+/// @param file_name for findings
+/// @throws Error E_PICTURE_FILE (Malformed) when it is damaged; E_LIMIT above most_picture_pixels (limits.h)
+Picture decode_png(std::string_view bytes, const std::string& file_name);
 
 }  // namespace croquis

@@ -60,6 +60,13 @@ ReadFile read_drawing(const QString& path, const std::string& bytes, FileReader:
   return {path, std::make_shared<const Drawing>(std::move(read.drawing)), std::move(read.warnings)};
 }
 
+ReadFile read_picture_file(const QString& path, std::string bytes, const std::string& file, PictureUse use,
+                           Progress& progress) {
+  if (use == PictureUse::Backdrop)
+    return {path, std::make_shared<const PictureFile>(read_picture(std::move(bytes), file)), {}};
+  return {path, std::make_shared<const Drawing>(traced_picture(std::move(bytes), file, progress)), {}, {}, true};
+}
+
 /// ".croq, .svg, .obj or .off".
 std::string readable_endings() {
   std::vector<std::string> endings{".croq", ".svg", ".json", ".fspy"};
@@ -97,18 +104,18 @@ QString FileReader::dialog_filter() {
   return kinds.join(";;");
 }
 
-ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDrawing plain) {
+ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDrawing plain, PictureUse use) {
   const std::string file = local_name(path);
   if (is_project_name(file)) {
     ProjectFile project = load_project(file, progress);
     return {path, std::move(project.document), std::move(project.warnings), std::move(project.kept.results)};
   }
-  const std::string bytes = read_file(file);
+  std::string bytes = read_file(file);
   if (const auto format = mesh_format_of(file)) {
     MeshReadResult read = read_mesh(bytes, *format, file, progress);
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
   }
-  if (is_picture_name(path)) return {path, std::make_shared<const PictureFile>(read_picture(bytes, file)), {}};
+  if (is_picture_name(path)) return read_picture_file(path, std::move(bytes), file, use, progress);
   if (is_sketch(path)) return read_drawing(path, bytes, plain, progress);
   if (has_ending(path, "json")) return read_json_file(path, bytes, file);
   if (has_ending(path, "fspy")) return {path, read_camera_file(bytes, file), {}};
@@ -116,19 +123,19 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDraw
                          "\"" + file + "\" is no project, drawing, mesh or picture: open " + readable_endings()));
 }
 
-void FileReader::read(const QString& path, PlainDrawing plain) {
+void FileReader::read(const QString& path, PlainDrawing plain, PictureUse use) {
   if (open_++ == 0) {
     *cancelled_ = false;
     emit busy_changed(true);
   }
-  thread_.start([this, path, plain, cancelled = cancelled_] {
+  thread_.start([this, path, plain, use, cancelled = cancelled_] {
     Progress progress([this](double fraction, const std::string& step) { tell_progress(fraction, step); },
                       cancelled.get());
     std::shared_ptr<const ReadFile> file;
     Findings findings;
     try {
       progress.check();
-      file = std::make_shared<const ReadFile>(read_now(path, progress, plain));
+      file = std::make_shared<const ReadFile>(read_now(path, progress, plain, use));
       progress.check();
     } catch (const Error& error) {
       findings = error.findings();

@@ -26,8 +26,12 @@ struct ReadFile {
                std::shared_ptr<const PictureFile>, CameraFile>
       content;
   Findings warnings;
-  KeptResults kept = {};  ///< of a project
+  KeptResults kept = {};   ///< of a project
+  bool is_traced = false;  ///< a drawing of a picture's lines
 };
+
+/// What becomes of a picture: it lies behind what is drawn, or its lines become strokes.
+enum class PictureUse { Backdrop, Lines };
 
 /// Reads projects, drawings, meshes and pictures on another thread, one after the other in the order asked for.
 class FileReader : public QObject {
@@ -46,7 +50,7 @@ class FileReader : public QObject {
   /// What a dialog lists: everything that `read` reads, and nothing else.
   static QString dialog_filter();
 
-  void read(const QString& path, PlainDrawing plain = PlainDrawing::Sketch);
+  void read(const QString& path, PlainDrawing plain = PlainDrawing::Sketch, PictureUse use = PictureUse::Backdrop);
 
   /// What is being read, and what waits to be, isn't read.
   void cancel();
@@ -54,7 +58,8 @@ class FileReader : public QObject {
   bool busy() const { return open_ > 0; }
 
   /// The file's content now, on the caller's thread. @throws Error, Cancelled
-  static ReadFile read_now(const QString& path, Progress& progress, PlainDrawing plain = PlainDrawing::Sketch);
+  static ReadFile read_now(const QString& path, Progress& progress, PlainDrawing plain = PlainDrawing::Sketch,
+                           PictureUse use = PictureUse::Backdrop);
 
  signals:
   void finished(const croquis::app::ReadFile& file);

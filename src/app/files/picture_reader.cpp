@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/io/picture_trace.h"
 #include "croquis/render/picture_item.h"
 
 namespace croquis::app {
@@ -97,6 +98,18 @@ QImage decoded(const PictureFile& picture, int longest_side) {
   QSize size;
   QString reason;
   return read_image(picture.bytes, longest_side, size, reason);
+}
+
+Drawing traced_picture(std::string bytes, const std::string& file, Progress& progress) {
+  // As on the command line.
+  if (bytes.starts_with("\x89PNG")) return read_picture_drawing(bytes, file, progress);
+  const QImage image = decoded(read_picture(std::move(bytes), file), TraceOptions().longest_side);
+  Picture picture{image.width(), image.height(), {}};
+  for (int y = 0; y < image.height(); ++y) {
+    const uchar* row = image.constScanLine(y);
+    picture.rgba.insert(picture.rgba.end(), row, row + 4 * static_cast<std::ptrdiff_t>(image.width()));
+  }
+  return trace_picture(picture, file, progress);
 }
 
 }  // namespace croquis::app

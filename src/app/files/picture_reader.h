@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <string>
 
+#include "croquis/base/progress.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/geometry/picture_file.h"
 
 /// Photos and scans: what Qt reads. For any thread.
@@ -23,5 +25,10 @@ PictureFile read_picture(std::string bytes, const std::string& file);
 /// As people see it: turned as the file says, 8 bits a channel (RGBA), its longer side at most so many pixels.
 /// @return a null image for bytes that can't be read
 QImage decoded(const PictureFile& picture, int longest_side);
+
+/// The lines of a file's picture, upright, as strokes.
+/// @throws Error like read_picture and trace_picture
+/// @throws Cancelled
+Drawing traced_picture(std::string bytes, const std::string& file, Progress& progress);
 
 }  // namespace croquis::app

@@ -172,13 +172,13 @@ void ProjectFiles::start_sample(const QString& name) {
   set_path({});
 }
 
-void ProjectFiles::begin_open(const QString& path, bool replaces) {
+void ProjectFiles::begin_open(const QString& path, bool replaces, PictureUse use) {
   if (replaces) replacing_.insert(path);
   using Plain = FileReader::PlainDrawing;
-  reader_.read(path, studio_.sheet_node() != 0 ? Plain::Perspective : Plain::Sketch);
+  reader_.read(path, studio_.sheet_node() != 0 ? Plain::Perspective : Plain::Sketch, use);
 }
 
-void ProjectFiles::open(const QString& path, bool replaces) {
+void ProjectFiles::open(const QString& path, bool replaces, PictureUse use) {
   QEventLoop waiting;
   bool failed = false;
   Findings findings;
@@ -192,7 +192,7 @@ void ProjectFiles::open(const QString& path, bool replaces) {
         findings = reasons;
         waiting.quit();
       });
-  begin_open(path, replaces);
+  begin_open(path, replaces, use);
   waiting.exec();
   disconnect(done);
   disconnect(stopped);
@@ -205,6 +205,7 @@ void ProjectFiles::take(const ReadFile& file) {
   const auto* mesh = std::get_if<std::shared_ptr<const PolyMesh>>(&file.content);
   has_replaced_ = replacing_.remove(file.path) && mesh != nullptr;
   if (has_replaced_) start_sketch();
+  has_traced_ = file.is_traced;
   if (mesh != nullptr) {
     // Files that were only looked at have no changes to save.
     const bool looked_at = path_.isEmpty() && !touched_;
@@ -227,6 +228,8 @@ void ProjectFiles::take(const ReadFile& file) {
     studio_.start_with(**network, QFileInfo(file.path).completeBaseName().toStdString());
     earlier_version_.clear();
     set_path({});
+  } else if (file.is_traced) {
+    studio_.add_traced(std::get<std::shared_ptr<const Drawing>>(file.content));
   } else {
     studio_.start_with(*std::get<std::shared_ptr<const Drawing>>(file.content));
     earlier_version_.clear();

@@ -72,15 +72,18 @@ class ProjectFiles : public QObject {
   void start_sample(const QString& name);
 
   /// Begins to open a project (.croq), a sketch (.svg) or a mesh; `opened` or `open_failed` follows. Meshes are added
-  /// to what is open, or take its place.
+  /// to what is open, or take its place; so are pictures, or drawings of their lines.
   /// SVG files that don't say what they are are read as what is being worked on: a sketch, or a drawing in perspective.
-  void begin_open(const QString& path, bool replaces = false);
+  void begin_open(const QString& path, bool replaces = false, PictureUse use = PictureUse::Backdrop);
 
   /// The same, and waits, keeping the window alive. @throws Error, Cancelled
-  void open(const QString& path, bool replaces = false);
+  void open(const QString& path, bool replaces = false, PictureUse use = PictureUse::Backdrop);
 
   /// The mesh that was opened last took the place of what was open.
   bool has_replaced() const { return has_replaced_; }
+
+  /// Of the picture that was opened last the lines were traced.
+  bool has_traced() const { return has_traced_; }
 
   /// What reads them.
   FileReader& reader() { return reader_; }
@@ -180,6 +183,7 @@ class ProjectFiles : public QObject {
   ReadFindings warnings_;
   QSet<QString> replacing_;  ///< meshes under way that take the place of what is open
   bool has_replaced_ = false;
+  bool has_traced_ = false;
   QSet<QString> damaged_;  ///< projects found so, by whole path
   bool touched_ = false;   ///< what is open was worked on since it was opened or saved
   QTimer autosave_timer_;

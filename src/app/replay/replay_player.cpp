@@ -162,7 +162,7 @@ void ReplayPlayer::play(const recorded::Screenshot& step) {
 void ReplayPlayer::play(const recorded::File& step) {
   const QString file = QString::fromStdString(step.file);
   if (step.verb == "open") {
-    window_.files().open(file, step.replaces);
+    window_.files().open(file, step.replaces, step.traces ? PictureUse::Lines : PictureUse::Backdrop);
   } else if (step.verb == "save") {
     window_.files().save(file);
   } else if (file.endsWith(".png")) {

@@ -233,6 +233,26 @@ void Studio::add_picture(std::shared_ptr<const PictureFile> picture) {
   session().select({{drawing, ""}});
 }
 
+void Studio::add_traced(std::shared_ptr<const Drawing> drawing) {
+  Document document = session().document();
+  const bool is_first = document.nodes().empty() && !begun_;
+  NodeId node = drawing_node();
+  const auto sketch = source_of<Drawing>(document.find(node));
+  if (sheet_node() == 0 && sketch && sketch->strokes.empty()) {
+    Node filled = *document.find(node);
+    filled.source = std::move(drawing);
+    document = document.with(std::move(filled));
+  } else {
+    node = document.next_id();
+    SketchToolOptions options = tool_options();
+    options.name = free_name(document, options.name);
+    document = add_drawing(document, std::move(drawing), options);
+  }
+  if (is_first) return load(std::move(document));
+  session().edit("Trace picture", std::move(document));
+  session().select({{node, ""}});
+}
+
 void Studio::state_camera(const Camera& camera) {
   Document document = session().document();
   NodeId drawing = sheet_node();

@@ -74,6 +74,9 @@ class Studio : public QObject, public Workspace {
   /// drawing is shown, one begins: a sketch where one was about to be drawn, else a drawing in perspective.
   void add_picture(std::shared_ptr<const PictureFile> picture);
 
+  /// Adds a drawing of a picture's lines with the solid made of it; it takes the place of a sketch without strokes.
+  void add_traced(std::shared_ptr<const Drawing> drawing);
+
   /// States the camera of the sheet that is shown: its field of view and principal point. Without a sheet, an empty
   /// one of the camera's picture begins.
   void state_camera(const Camera& camera);

@@ -106,7 +106,8 @@ void MainWindow::connect_files() {
     show_message(findings);
   });
   connect(&files_, &ProjectFiles::opened, this, [this](const QString& path, const Findings& warnings) {
-    record(recorded::File{"open", QFileInfo(path).absoluteFilePath().toStdString(), files_.has_replaced()});
+    record(recorded::File{
+        "open", QFileInfo(path).absoluteFilePath().toStdString(), files_.has_replaced(), {}, {}, files_.has_traced()});
     folder_ = QFileInfo(path).absolutePath();
     hold_usable_tool();
     show_views();

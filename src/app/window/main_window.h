@@ -66,7 +66,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   /// Leaves the start page with an empty sketch and the pen ready.
   void start_sketch() override;
   bool start_with(Document document) override;
-  void open_file(const QString& path) override { begin_open({path}); }
+  void open_file(const QString& path) override { files_.begin_open(path); }
 
   void wait_until_settled() override;
 
@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   bool open(const QString& path);
 
   /// Begins to open files, one after the other: the window goes on working. Where meshes would be added to what is open
-  /// it asks whether to.
+  /// it asks whether to; of pictures it asks what becomes of them.
   void begin_open(const QStringList& paths);
 
   /// Begins to add meshes and pictures to what is open.

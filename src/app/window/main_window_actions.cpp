@@ -18,11 +18,13 @@
 #include <future>
 #include <utility>
 
+#include "app/files/picture_reader.h"
 #include "app/panels/object_names.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/icons.h"
 #include "app/window/main_window.h"
+#include "app/window/picture_question.h"
 #include "croquis/base/error.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/perspective/sheet_units.h"
@@ -45,7 +47,8 @@ QString mesh_filter() {
 QString import_filter() {
   QStringList endings;
   for (const MeshFormat format : mesh_formats()) endings << '*' + QString::fromStdString(extension_of(format));
-  return QObject::tr("Meshes (%1)").arg(endings.join(' '));
+  for (const QString& ending : picture_endings()) endings << '*' + ending;
+  return QObject::tr("Meshes and pictures (%1)").arg(endings.join(' '));
 }
 
 /// What can be done without what is open, or whatever it is; all else belongs to the views.
@@ -267,12 +270,14 @@ void MainWindow::begin_open(const QStringList& paths) {
     if (!answer) return;
     replaces = *answer;
   }
+  const auto use = unattended_ ? std::optional(PictureUse::Backdrop) : ask_picture_use(paths, *this);
+  if (!use) return;
   // What is added to what is open must be seen.
   if (!replaces && !FileReader::replaces_document(paths.front())) leave_start_page();
   for (const QString& path : paths) {
     const bool takes_place = std::exchange(replaces, false);
     if ((takes_place || FileReader::replaces_document(path)) && !may_discard()) return;
-    files_.begin_open(path, takes_place);
+    files_.begin_open(path, takes_place, *use);
   }
 }
 
@@ -291,8 +296,10 @@ std::optional<bool> MainWindow::ask_replace(const QStringList& paths) {
 }
 
 void MainWindow::import(const QStringList& paths) {
-  if (!paths.isEmpty()) leave_start_page();
-  for (const QString& path : paths) files_.begin_open(path);
+  const auto use = unattended_ ? std::optional(PictureUse::Backdrop) : ask_picture_use(paths, *this);
+  if (paths.isEmpty() || !use) return;
+  leave_start_page();
+  for (const QString& path : paths) files_.begin_open(path, false, *use);
 }
 
 bool MainWindow::ask_save() {

@@ -26,6 +26,7 @@ void write_screenshot(const Screenshot& step, FieldWriter& writer) { writer.text
 File read_file_step(Fields& fields) {
   File step{fields.verb(), fields.text("file")};
   if (step.verb == "open" && fields.has("replaces")) step.replaces = fields.flag("replaces");
+  if (step.verb == "open" && fields.has("traces")) step.traces = fields.flag("traces");
   if (step.verb != "export") return step;
   if (fields.has("objects")) step.objects = fields.one_of("objects", {"picked", "visible", "all"});
   if (fields.has("unit")) step.unit = fields.one_of("unit", {"mm", "cm", "m", "in"});
@@ -36,6 +37,7 @@ void write_file_step(const File& step, FieldWriter& writer) {
   writer.verb(step.verb);
   writer.text("file", step.file);
   if (step.replaces) writer.flag("replaces", true);
+  if (step.traces) writer.flag("traces", true);
   if (!step.objects.empty()) writer.text("objects", step.objects);
   if (!step.unit.empty()) writer.text("unit", step.unit);
 }

@@ -47,6 +47,7 @@ std::vector<Step> one_of_each() {
           File{"export", "ü.obj"},
           File{"export", "all.obj", false, "all", "mm"},
           File{"open", "b.obj", true},
+          File{"open", "photo.png", false, {}, {}, true},
           Place{{"mug", "bolt"}, {{{1, 2, 3}, {0, 90, -0.1}, {1, 1, 2}}, Placement()}},
           Click{"sketch", {1, 2}, {"shift", "ctrl"}},
           Box{"sketch", {-1, -2}, {3, 4}, {}},

@@ -43,6 +43,7 @@ struct File {
   bool replaces = false;     ///< "open": a mesh takes the place of what is open
   std::string objects = {};  ///< "export" of meshes: "picked" (also when empty), "visible" or "all"
   std::string unit = {};     ///< … and the unit of the file's lengths; empty: the document's
+  bool traces = false;       ///< "open": a picture's lines become strokes
 
   static const StepKind& step_kind();
 };

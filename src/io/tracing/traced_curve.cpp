@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/tracing/traced_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "croquis/geometry/bezier_fit.h"
+#include "croquis/geometry/polyline.h"
+
+namespace croquis::tracing {
+namespace {
+
+constexpr double spacing = 2;      // pixels between points that are fitted, and points of the result
+constexpr double tolerance = 0.6;  // pixels, of a curve from the middle of a line
+constexpr double corner_turn = 55 * std::numbers::pi / 180;
+constexpr double least_reach = 5;   // pixels on both sides over which the turn of a corner is measured, or
+constexpr double corner_reach = 4;  // half widths, if that is more
+
+/// Points at even distances, both ends among them.
+std::vector<Vec2> evenly_spaced(const TracedLine& line) {
+  const std::vector<Vec2>& points = line.points;
+  const std::vector<double> lengths = arc_lengths(points, line.closed);
+  const double whole = length(points, line.closed);
+  const auto count = static_cast<std::size_t>(std::max(3.0, std::round(whole / spacing)));
+  std::vector<Vec2> result;
+  std::size_t segment = 0;
+  for (std::size_t i = 0; i < count + (line.closed ? 0 : 1); ++i) {
+    const double way = whole * static_cast<double>(i) / static_cast<double>(count);
+    while (segment + 2 < lengths.size() && lengths[segment + 1] < way) ++segment;
+    const Vec2 &a = points[segment], &b = points[(segment + 1) % points.size()];
+    const double step = (b - a).norm();
+    result.push_back(step > 0 ? Vec2(a + std::min(1.0, (way - lengths[segment]) / step) * (b - a)) : a);
+  }
+  return result;
+}
+
+/// Where a line turns sharply: the points that turn most within `reach` points.
+std::vector<std::size_t> corners_of(const std::vector<Vec2>& points, bool closed, std::size_t reach) {
+  const std::size_t n = points.size();
+  std::vector<double> turns(n);
+  if (n < 2 * reach + 1) return {};
+  for (std::size_t i = closed ? 0 : reach; i < (closed ? n : n - reach); ++i) {
+    const Vec2 before = points[i] - points[(i + n - reach) % n], after = points[(i + reach) % n] - points[i];
+    turns[i] = std::abs(std::atan2(cross(before, after), before.dot(after)));
+  }
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < n; ++i) {
+    bool is_corner = turns[i] > corner_turn;
+    for (std::size_t k = 1; k <= reach && is_corner; ++k)
+      is_corner = turns[i] > turns[(i + n - k) % n] && turns[i] >= turns[(i + k) % n];
+    if (is_corner) corners.push_back(i);
+  }
+  return corners;
+}
+
+/// Adds points along the curves through a row that has no corner inside; the row's last point isn't added.
+void add_curves(const std::vector<Vec3>& row, BezierFitOptions options, std::vector<Vec2>& result) {
+  options.tolerance = tolerance;
+  for (const FittedBezier& curve : fit_beziers(row, options)) {
+    const std::size_t count = curve.last - curve.first;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(count);
+      std::vector<Vec3> p = curve.control;
+      for (std::size_t left = p.size() - 1; left > 0; --left) {
+        for (std::size_t j = 0; j < left; ++j) p[j] += t * (p[j + 1] - p[j]);
+      }
+      result.push_back(p.front().head<2>());
+    }
+  }
+}
+
+Vec3 in_space(const Vec2& point) { return {point.x(), point.y(), 0}; }
+
+}  // namespace
+
+TracedLine smooth_curve(const TracedLine& line, double half_width) {
+  std::vector<Vec2> points = evenly_spaced(line);
+  const auto reach = static_cast<std::size_t>(std::lround(std::max(least_reach, corner_reach * half_width) / spacing));
+  std::vector<std::size_t> corners = corners_of(points, line.closed, reach);
+  TaubinOptions fairing;
+  fairing.fixed.assign(points.size(), false);
+  for (const std::size_t corner : corners) fairing.fixed[corner] = true;
+  points = taubin_smooth(points, line.closed, fairing);
+  TracedLine result{{}, line.closed};
+  const std::size_t n = points.size();
+  std::vector<std::size_t> ends = line.closed ? std::move(corners) : std::vector<std::size_t>{0};
+  if (!line.closed) ends.insert(ends.end(), corners.begin(), corners.end());
+  const bool is_smooth_ring = ends.empty();
+  if (is_smooth_ring) ends.push_back(0);
+  ends.push_back(line.closed ? ends.front() + n : n - 1);
+  BezierFitOptions options;
+  if (is_smooth_ring) {
+    std::vector<Vec3> ring;
+    std::ranges::transform(points, std::back_inserter(ring), in_space);
+    options.start_direction = options.end_direction = row_direction(ring, 0, 3 * spacing, true);
+  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    std::vector<Vec3> row;
+    for (std::size_t k = ends[i]; k <= ends[i + 1]; ++k) row.push_back(in_space(points[k % n]));
+    add_curves(row, options, result.points);
+  }
+  if (!line.closed) result.points.push_back(points.back());
+  return result;
+}
+
+}  // namespace croquis::tracing
