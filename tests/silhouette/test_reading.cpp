@@ -259,6 +259,37 @@ TEST_CASE("a region is found behind a gap of its outline, and under fur") {
   }
 }
 
+TEST_CASE("what leaves an outline of tufts outwards is a limb, what leaves it inwards is drawn on the body") {
+  Random random(4);
+  Drawing drawing;
+  const auto on_body = [](double degrees) {
+    return Vec2(200 * std::cos(degrees * pi / 180), 130 * std::sin(degrees * pi / 180));
+  };
+  for (int tuft = 0; tuft < 60; ++tuft) {
+    const double at = 6.0 * tuft, turn = random.between(-0.6, 0.6);
+    const Vec2 middle = on_body(at), along = (on_body(at + 1) - on_body(at - 1)).normalized();
+    const Vec2 across(-along.y(), along.x());
+    const Vec2 half = 9 * (std::cos(turn) * along + std::sin(turn) * across);
+    drawing.strokes.push_back(stroke_of("tuft" + std::to_string(tuft), {middle - half, middle, middle + half}));
+  }
+  std::vector<Vec2> leg, curl;
+  for (double degrees = 240; degrees <= 262; degrees += 2) leg.push_back(on_body(degrees));
+  for (double y = -135; y >= -250; y -= 5) leg.emplace_back(leg.back().x(), y);
+  for (double degrees = 60; degrees <= 84; degrees += 2) curl.push_back(on_body(degrees));
+  for (double y = 125; y >= 0; y -= 5) curl.emplace_back(curl.back().x(), y);
+  drawing.strokes.push_back(stroke_of("leg", leg));
+  drawing.strokes.push_back(stroke_of("curl", curl));
+  const Solid solid = solid_of(drawing);
+  CHECK(kinds_by_id(drawing, read(drawing))["leg"] == StrokeKind::Tube);
+  CHECK(std::ranges::min(solid.mesh.positions, {}, [](const Vec3& p) { return p.y(); }).y() < -230);
+  double shown = 0;
+  for (const SurfaceLine& line : solid.lines) {
+    if (drawing.strokes[line.stroke].id != "curl") continue;
+    for (std::size_t i = 1; i < line.points.size(); ++i) shown += (line.points[i] - line.points[i - 1]).norm();
+  }
+  CHECK(shown > 80);
+}
+
 TEST_CASE("ends that meet are joined at the least cost, and cheaper the nearer they are") {
   double last = -1;
   for (const double gap : {1.0, 5.0, 20.0, 40.0}) {

@@ -273,6 +273,30 @@ TEST_CASE("a trembling line crosses another once") {
   }
 }
 
+TEST_CASE("outlines of an exact drawing that overlap a little cross, however uneven they are") {
+  const auto cloud = [](const Vec2& centre) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 400; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 400;
+      const double radius = 100 * (1 + 0.03 * std::sin(9 * angle));
+      points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+  };
+  Drawing drawing;
+  drawing.strokes.push_back(stroke_of("left", cloud({0, 0}), true));
+  drawing.strokes.push_back(stroke_of("right", cloud({193, 0}), true));
+  // Its ends lie on the left one, as a program puts them.
+  std::vector<Vec2> limb;
+  for (int i = 0; i <= 40; ++i) limb.push_back(cloud({0, 0})[static_cast<std::size_t>(190)] + Vec2(-3.0 * i, 0));
+  for (int i = 1; i <= 40; ++i) limb.push_back(limb[40] + i / 40.0 * (cloud({0, 0})[210] + Vec2(-120, 0) - limb[40]));
+  for (int i = 1; i <= 40; ++i) limb.push_back(cloud({0, 0})[210] + Vec2(-120 + 3.0 * i, 0));
+  drawing.strokes.push_back(stroke_of("limb", limb));
+  const LabelledDrawing labelled = label_quietly(drawing, Options::of(silhouette::Preset::Auto));
+  REQUIRE(labelled.crossings.size() == 1);
+  CHECK(overlaps_of(labelled) == Overlaps{{"left", "limb"}, {"right", "left"}});
+}
+
 TEST_CASE("a closed outline covers what crosses it") {
   for (const bool first : {false, true}) {
     Drawing drawing;

@@ -16,7 +16,7 @@ struct ErrorSketch {
   Drawing drawing;
 };
 
-/// One for each of W_TINY, W_GAP, W_DOUBLE, E_FREE_END, E_TWO_SIDED, E_CROSS, E_NO_PARTNER, E_ODD, E_NO_LABELLING,
+/// One for each of W_TINY, W_GAP, W_DOUBLE, E_KIND, E_CROSS, E_NO_LABELLING,
 /// E_TOUCH, in this order.
 std::vector<ErrorSketch> error_sketches();
 
