@@ -96,6 +96,35 @@ struct Material {
   Envelope envelope;
 };
 
+/// The size that half of all outlines of regions don't exceed, by length.
+double typical_size(const Envelope& envelope) {
+  std::vector<std::pair<double, double>> sizes;  // and lengths
+  double whole = 0;
+  for (const EnclosedRegion& region : envelope.regions) {
+    sizes.emplace_back(size_of(region.outline, true), length(region.outline, true));
+    whole += sizes.back().second;
+  }
+  std::ranges::sort(sizes);
+  double below = 0;
+  for (const auto& [size, part] : sizes) {
+    below += part;
+    if (2 * below >= whole) return size;
+  }
+  return 0;
+}
+
+/// The strokes and what they enclose. Where tolerances go by size, a sheet of many small things is sampled once more.
+void sample(Material& material) {
+  const StrokeOptions& options = material.options.strokes;
+  material.sampled = sample_strokes(material.drawing, options);
+  material.envelope = enclosed_regions(material.sampled.strokes);
+  if (options.reach_share <= 0) return;
+  SampledDrawing finer = sample_strokes(material.drawing, options, typical_size(material.envelope));
+  if (finer.scale.unit >= material.sampled.scale.unit) return;
+  material.sampled = std::move(finer);
+  material.envelope = enclosed_regions(material.sampled.strokes);
+}
+
 /// Fur and hatching cross themselves again and again.
 bool is_scribble(const Material& material, Index stroke) {
   constexpr int least_crossings = 6;
@@ -262,9 +291,9 @@ Findings left_out(const Material& material, const Reading& reading) {
 }  // namespace
 
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
-  Material material{drawing, options, sample_strokes(drawing, options.strokes), {}, {}};
+  Material material{drawing, options, {}, {}, {}};
+  sample(material);
   material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
-  material.envelope = enclosed_regions(material.sampled.strokes);
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
   std::optional<LabelledDrawing> first;

@@ -18,8 +18,8 @@ namespace {
 // A drawing with more samples than this is a scribble: its outlines would be longer than 3000 times its diagonal.
 constexpr double maximum_samples = 500'000;
 
-// Where tolerances go by size, strokes of a typical size measure at least so many u: a sheet of many small things is
-// read as one of them is. At most so many times finer than the sheet's own u, which bounds the number of samples.
+// Things of a typical size measure at least so many u: a sheet of many small things is read as one of them is. At most
+// so many times finer than the sheet's own u, which bounds the number of samples.
 constexpr double least_typical_size = 150;
 constexpr double finest_unit = 8;
 
@@ -85,28 +85,8 @@ Points distinct_points(const Stroke& stroke) {
   return points;
 }
 
-/// The size that half of what is drawn doesn't exceed, by length.
-double typical_size(const Drawing& drawing) {
-  std::vector<std::pair<double, double>> sizes;  // and lengths
-  double length = 0;
-  for (const Stroke& stroke : drawing.strokes) {
-    if (!is_usable(stroke)) continue;
-    const Points points = distinct_points(stroke);
-    sizes.emplace_back(size_of(points, stroke.closed), croquis::length(points, stroke.closed));
-    length += sizes.back().second;
-  }
-  std::sort(sizes.begin(), sizes.end());
-  double below = 0;
-  for (const auto& [size, part] : sizes) {
-    below += part;
-    if (2 * below >= length) return size;
-  }
-  return 0;
-}
-
-DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options) {
+DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options, double typical) {
   double unit = bounding_diagonal(drawing) / 1000;
-  const double typical = options.reach_share > 0 ? typical_size(drawing) : 0;
   if (typical > 0) unit = std::min(unit, std::max(typical / least_typical_size, unit / finest_unit));
   return {unit,
           options.step * unit,
@@ -199,10 +179,10 @@ std::vector<SampledStroke> sample(const Drawing& drawing, const std::vector<Usab
 
 }  // namespace
 
-SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options) {
+SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options, double typical) {
   SampledDrawing result;
   result.findings = wrong_behind(drawing);
-  result.scale = scale_of(drawing, options);
+  result.scale = scale_of(drawing, options, typical);
   std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.findings);
   result.hidden = take_hidden(usable);
   check_extent(drawing, usable, result.scale.step, result.findings);

@@ -19,7 +19,9 @@ struct SampledDrawing {
 
 /// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, the rest sampled
 /// evenly. No stroke is changed or deleted; the samples are copies.
+/// @param typical size of the things on the sheet (see `size_of`), which makes u finer where they are small; 0: not
+/// known
 /// @throws Error when nothing usable is left or the drawing is too long to sample
-SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options);
+SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& options, double typical = 0);
 
 }  // namespace croquis::silhouette
