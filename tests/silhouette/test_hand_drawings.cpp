@@ -155,7 +155,6 @@ TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one a
 TEST_CASE("the two sides of something thin that a trembling hand let cross are led beside one another") {
   DrawingScale scale;
   scale.step = 5;
-  scale.tremble = 1;
   // A long shape whose width changes its sign between the places.
   const auto shape = [](const std::vector<double>& places) {
     const auto width = [&](double x) {
@@ -169,6 +168,7 @@ TEST_CASE("the two sides of something thin that a trembling hand let cross are l
     for (int i = 119; i > 0; --i) line.points.emplace_back(5 * i - 1, -width(5 * i - 1));
     line.stroke.assign(line.points.size(), 0);
     line.strokes = {0};
+    line.raw = line.points;
     line.size = size_of(line.points, true);
     return line;
   };
@@ -186,13 +186,14 @@ TEST_CASE("the two sides of something thin that a trembling hand let cross are l
     INFO(places.size() << " places");
     CleanLine line = shape(places);
     REQUIRE(crossings(line) == static_cast<int>(places.size()));
-    CleanLine steady = line;
-    scale.tremble = 0;
-    CHECK(uncross(steady, scale).empty());
-    scale.tremble = 1;
+    CleanLine exact = line;
+    scale.reach_share = 0;
+    CHECK(uncross(exact, scale).empty());
+    scale.reach_share = 0.04;
     CHECK(uncross(line, scale).size() == places.size());
     CHECK(crossings(line) == 0);
-    CHECK(line.points.size() == steady.points.size());
+    CHECK(line.points.size() == exact.points.size());
+    CHECK(line.raw == line.points);
   }
   // An end that crosses its own line passes behind it.
   CleanLine open;
@@ -202,6 +203,7 @@ TEST_CASE("the two sides of something thin that a trembling hand let cross are l
   }
   open.points.emplace_back(110, 40);
   open.stroke.assign(open.points.size(), 0);
+  open.raw = open.points;
   open.size = size_of(open.points, false);
   REQUIRE(crossings(open) > 0);
   CHECK(uncross(open, scale).empty());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <set>
@@ -96,13 +97,15 @@ struct Material {
   Envelope envelope;
 };
 
-/// The size that half of all outlines of regions don't exceed, by length.
+/// The size that half of all outlines of regions don't exceed, by length: that of a disc of the same width. Rings of a
+/// chain are small, however long it is; tufts along a body aren't what is drawn.
 double typical_size(const Envelope& envelope) {
   std::vector<std::pair<double, double>> sizes;  // and lengths
   double whole = 0;
   for (const EnclosedRegion& region : envelope.regions) {
-    sizes.emplace_back(size_of(region.outline, true), length(region.outline, true));
-    whole += sizes.back().second;
+    const double own = length(region.outline, true);
+    sizes.emplace_back(std::sqrt(12.0) * 2 * region.area / own, own);
+    whole += own;
   }
   std::ranges::sort(sizes);
   double below = 0;

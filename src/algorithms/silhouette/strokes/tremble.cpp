@@ -132,6 +132,7 @@ std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
                    values.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     };
     reverse(line.points);
+    reverse(line.raw);
     reverse(line.stroke);
   }
   return places;
