@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <set>
@@ -97,23 +96,29 @@ struct Material {
   Envelope envelope;
 };
 
-/// The size that half of all outlines of regions don't exceed, by length: that of a disc of the same width. Rings of a
-/// chain are small, however long it is; tufts along a body aren't what is drawn.
-double typical_size(const Envelope& envelope) {
-  std::vector<std::pair<double, double>> sizes;  // and lengths
-  double whole = 0;
-  for (const EnclosedRegion& region : envelope.regions) {
-    const double own = length(region.outline, true);
-    sizes.emplace_back(std::sqrt(12.0) * 2 * region.area / own, own);
-    whole += own;
-  }
-  std::ranges::sort(sizes);
-  double below = 0;
-  for (const auto& [size, part] : sizes) {
+/// The size that half of the length doesn't exceed.
+double middle_size(std::vector<std::pair<double, double>> sizes_and_lengths) {
+  std::ranges::sort(sizes_and_lengths);
+  double whole = 0, below = 0;
+  for (const auto& [size, part] : sizes_and_lengths) whole += part;
+  for (const auto& [size, part] : sizes_and_lengths) {
     below += part;
     if (2 * below >= whole) return size;
   }
   return 0;
+}
+
+/// How large the things on a sheet are. They are small only where strokes and what they enclose are: rings of a chain
+/// are, however long it is; tufts along a body aren't.
+double typical_size(const Material& material) {
+  constexpr double size_of_width = 1.2;  // of a disc of the same width as a region, 2 area / length
+  std::vector<std::pair<double, double>> strokes, regions;
+  for (const SampledStroke& stroke : material.sampled.strokes) strokes.emplace_back(stroke.size, stroke.length);
+  for (const EnclosedRegion& region : material.envelope.regions) {
+    const double own = length(region.outline, true);
+    regions.emplace_back(size_of_width * 2 * region.area / own, own);
+  }
+  return std::max(middle_size(std::move(strokes)), middle_size(std::move(regions)));
 }
 
 /// The strokes and what they enclose. Where tolerances go by size, a sheet of many small things is sampled once more.
@@ -122,7 +127,7 @@ void sample(Material& material) {
   material.sampled = sample_strokes(material.drawing, options);
   material.envelope = enclosed_regions(material.sampled.strokes);
   if (options.reach_share <= 0) return;
-  SampledDrawing finer = sample_strokes(material.drawing, options, typical_size(material.envelope));
+  SampledDrawing finer = sample_strokes(material.drawing, options, typical_size(material));
   if (finer.scale.unit >= material.sampled.scale.unit) return;
   material.sampled = std::move(finer);
   material.envelope = enclosed_regions(material.sampled.strokes);

@@ -87,7 +87,11 @@ Points distinct_points(const Stroke& stroke) {
 
 DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options, double typical) {
   double unit = bounding_diagonal(drawing) / 1000;
-  if (typical > 0) unit = std::min(unit, std::max(typical / least_typical_size, unit / finest_unit));
+  if (typical > 0) {
+    // In steps of half an octave: else every change of one thing would sample all others anew.
+    const double finer = std::clamp(least_typical_size * unit / typical, 1.0, finest_unit);
+    unit /= std::exp2(std::floor(2 * std::log2(finer)) / 2);
+  }
   return {unit,
           options.step * unit,
           options.tiny * unit,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "algorithms/silhouette/strokes/segment_grid.h"
@@ -85,6 +86,14 @@ std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, con
   return first;
 }
 
+/// What a line has per point.
+template <typename Change>
+void for_each_list(CleanLine& line, Change change) {
+  change(line.points);
+  change(line.raw);
+  change(line.stroke);
+}
+
 }  // namespace
 
 double tremble_of(const std::vector<CleanLine>& lines, double step) {
@@ -126,14 +135,19 @@ std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
       line = drawn;
       return {};
     }
-    // The piece between the two places the other way round: what crossed are now two sides that don't.
-    const auto reverse = [i, k](auto& values) {
-      std::reverse(values.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                   values.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    };
-    reverse(line.points);
-    reverse(line.raw);
-    reverse(line.stroke);
+    const auto first = static_cast<std::ptrdiff_t>(i) + 1, last = static_cast<std::ptrdiff_t>(k) + 1;
+    const double loop = signed_area(std::span(line.points).subspan(i + 1, k - i)), whole = signed_area(line.points);
+    for_each_list(line, [&](auto& values) {
+      // What goes round the other way is a side that came over its opposite one: the other way round it doesn't cross.
+      if (loop * (whole - loop) < 0) {
+        std::reverse(values.begin() + first, values.begin() + last);
+      } else if (line.closed && std::abs(loop) > std::abs(whole - loop)) {  // of a curl only the larger loop is seen
+        values.erase(values.begin() + last, values.end());
+        values.erase(values.begin(), values.begin() + first);
+      } else {
+        values.erase(values.begin() + first, values.begin() + last);
+      }
+    });
   }
   return places;
 }
