@@ -77,15 +77,16 @@ Vec3 in_space(const Vec2& point) { return {point.x(), point.y(), 0}; }
 TracedLine smooth_curve(const TracedLine& line, double half_width) {
   std::vector<Vec2> points = evenly_spaced(line);
   const auto reach = static_cast<std::size_t>(std::lround(std::max(least_reach, corner_reach * half_width) / spacing));
-  std::vector<std::size_t> corners = corners_of(points, line.closed, reach);
+  const std::vector<std::size_t> corners = corners_of(points, line.closed, reach);
   TaubinOptions fairing;
   fairing.fixed.assign(points.size(), false);
   for (const std::size_t corner : corners) fairing.fixed[corner] = true;
   points = taubin_smooth(points, line.closed, fairing);
   TracedLine result{{}, line.closed};
   const std::size_t n = points.size();
-  std::vector<std::size_t> ends = line.closed ? std::move(corners) : std::vector<std::size_t>{0};
-  if (!line.closed) ends.insert(ends.end(), corners.begin(), corners.end());
+  std::vector<std::size_t> ends;
+  if (!line.closed) ends.push_back(0);
+  ends.insert(ends.end(), corners.begin(), corners.end());
   const bool is_smooth_ring = ends.empty();
   if (is_smooth_ring) ends.push_back(0);
   ends.push_back(line.closed ? ends.front() + n : n - 1);
