@@ -127,7 +127,9 @@ void sample(Material& material) {
   material.sampled = sample_strokes(material.drawing, options);
   material.envelope = enclosed_regions(material.sampled.strokes);
   if (options.reach_share <= 0) return;
-  SampledDrawing finer = sample_strokes(material.drawing, options, typical_size(material));
+  const double typical = typical_size(material);
+  if (typical >= least_typical_size * material.sampled.scale.unit) return;
+  SampledDrawing finer = sample_strokes(material.drawing, options, typical);
   if (finer.scale.unit >= material.sampled.scale.unit) return;
   material.sampled = std::move(finer);
   material.envelope = enclosed_regions(material.sampled.strokes);

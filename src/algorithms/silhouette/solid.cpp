@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
@@ -134,7 +135,7 @@ class SolidBuilder {
 
   void add_lines(const LabelledDrawing& labelled) {
     constexpr double shown_within = 15;  // u: a line that near to a contour is that contour
-    std::vector<DrawnLine> details;
+    std::vector<DrawnLine> details, contours;
     double step = 0, unit = 0;
     for (const LabelledFigure& figure : labelled.figures) {
       step = std::max(step, figure.step);
@@ -146,11 +147,10 @@ class SolidBuilder {
       if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) {
         details.push_back(std::move(line));
       } else if (labelled.kinds[s] == StrokeKind::Contour) {
-        for (DrawnLine& piece : inner_pieces(line, labelled.figures, shown_within * unit)) {
-          details.push_back(std::move(piece));
-        }
+        contours.push_back(std::move(line));
       }
     }
+    std::ranges::move(inner_pieces(contours, labelled.figures, shown_within * unit), std::back_inserter(details));
     solid_.lines = surface_lines(details, solid_.mesh, step);
   }
 

@@ -99,7 +99,8 @@ std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, cons
   return lines;
 }
 
-std::vector<DrawnLine> inner_pieces(const DrawnLine& line, const std::vector<LabelledFigure>& figures, double reach) {
+std::vector<DrawnLine> inner_pieces(const std::vector<DrawnLine>& lines, const std::vector<LabelledFigure>& figures,
+                                    double reach) {
   std::vector<GridSegment> shown;
   for (const LabelledFigure& figure : figures) {
     for (const FigureContour& contour : figure.contours) {
@@ -120,16 +121,18 @@ std::vector<DrawnLine> inner_pieces(const DrawnLine& line, const std::vector<Lab
     return near;
   };
   std::vector<DrawnLine> pieces;
-  DrawnLine piece{line.stroke, {}, false};
-  const auto finish = [&] {
-    if (piece.points.size() > 1 && length(piece.points, false) >= 3 * reach) pieces.push_back(piece);
-    piece.points.clear();
-  };
-  for (const double parameter : even_parameters(line.points, line.closed, reach / 2)) {
-    const Vec2 place = point_at(line.points, parameter);
-    is_shown(place) ? finish() : piece.points.push_back(place);
+  for (const DrawnLine& line : lines) {
+    DrawnLine piece{line.stroke, {}, false};
+    const auto finish = [&] {
+      if (piece.points.size() > 1 && length(piece.points, false) >= 3 * reach) pieces.push_back(piece);
+      piece.points.clear();
+    };
+    for (const double parameter : even_parameters(line.points, line.closed, reach / 2)) {
+      const Vec2 place = point_at(line.points, parameter);
+      is_shown(place) ? finish() : piece.points.push_back(place);
+    }
+    finish();
   }
-  finish();
   return pieces;
 }
 

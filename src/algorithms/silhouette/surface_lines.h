@@ -21,8 +21,9 @@ struct DrawnLine {
 /// @param step    distance of the points, sketch units
 std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, const PolyMesh& mesh, double step);
 
-/// The pieces of a line, at least `3 * reach` long, that are farther than `reach` from all that figures show of their
+/// The pieces of lines, at least `3 * reach` long, that are farther than `reach` from all that figures show of their
 /// contours: what was drawn as part of an outline, but lies within it.
-std::vector<DrawnLine> inner_pieces(const DrawnLine& line, const std::vector<LabelledFigure>& figures, double reach);
+std::vector<DrawnLine> inner_pieces(const std::vector<DrawnLine>& lines, const std::vector<LabelledFigure>& figures,
+                                    double reach);
 
 }  // namespace croquis::silhouette

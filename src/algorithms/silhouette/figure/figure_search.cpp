@@ -64,13 +64,15 @@ class Search {
         judge_(context.lines, context.junctions) {}
 
   FigureSearch run() {
-    if (!matchings().next()) {
+    std::optional<std::vector<Index>> likeliest = likeliest_matching();
+    if (!likeliest) {
       // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
       CompletionOptions generous = context_.options.completion;
       generous.maximum_cost = std::numeric_limits<double>::max();
       part_ = part_of(context_, part_.lines, generous);
+      likeliest = likeliest_matching();
     }
-    return try_matchings();
+    return try_matchings(likeliest);
   }
 
  private:
@@ -93,10 +95,10 @@ class Search {
     }
   }
 
-  FigureSearch try_matchings() {
+  FigureSearch try_matchings(const std::optional<std::vector<Index>>& likeliest) {
     FigureSearch result;
     const int most = context_.options.completion.maximum_matchings;
-    if (const std::optional<std::vector<Index>> likeliest = most > 0 ? likeliest_matching() : std::nullopt) {
+    if (most > 0 && likeliest) {
       result.figure = try_matching(*likeliest, maximum_reshapings);
       if (result.figure) return result;
     }

@@ -48,22 +48,16 @@ class Program {
   void add_arcs() {
     for (Index e = 0; e < arrangement_.arcs.size(); ++e) {
       const FigureArc& arc = arrangement_.arcs[e];
-      if (arrangement_.may_be_covered[e] != 0) {
-        depth_.push_back(program_.add_variable(0, deepest, 1));
-        slack_.push_back(no_index);
-        continue;
-      }
-      const bool strict = rules_ != LabellingRules::Slack;
+      const bool is_known = arrangement_.may_be_covered[e] == 0;
+      const bool strict = is_known && rules_ != LabellingRules::Slack;
       const double least = strict && !arc.visible ? 1 : 0;
       const double most = strict && arc.visible ? 0 : deepest;
       const Index n = program_.add_variable(least, most, 1);
       depth_.push_back(n);
-      if (strict) {
-        slack_.push_back(no_index);
-        continue;
-      }
+      slack_.push_back(no_index);
+      if (strict || !is_known) continue;
       const Index slack = program_.add_variable(0, arc.visible ? deepest : 1, slack_cost);
-      slack_.push_back(slack);
+      slack_.back() = slack;
       if (arc.visible) {
         program_.add_row({{n, 1}, {slack, -1}}, -IntegerProgram::unbounded, 0);
       } else {

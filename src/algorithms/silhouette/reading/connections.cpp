@@ -243,8 +243,8 @@ class ConnectionSearch {
     const auto add = [&](double along, const Vec2& at, double more) {
       const double cost = costs::junction_miss * costs::miss(std::abs(along) / usual) + more;
       for (const int side : {1, -1}) {
-        meetings.push_back({0, segment.line, at, side, side * left_of(direction), along,
-                            cost + costs::against_heading * std::max(0.0, -side * heading_left)});
+        meetings.push_back(
+            {0, segment.line, at, side, along, cost + costs::against_heading * std::max(0.0, -side * heading_left)});
       }
     };
     double walked = 0;

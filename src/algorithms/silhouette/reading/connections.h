@@ -31,11 +31,10 @@ struct EndJoin {
 /// An end that may pass behind a line.
 struct EndMeeting {
   Index end = 0;
-  Index bar = 0;             ///< stroke
-  Vec2 at = Vec2::Zero();    ///< on the bar
-  int side = 1;              ///< the bar's surface would lie on the left (+1) or right (-1) of its stroke
-  Vec2 into = Vec2::Zero();  ///< unit, across the bar into its surface
-  double along = 0;          ///< from the end to the bar; negative where the end lies beyond it
+  Index bar = 0;           ///< stroke
+  Vec2 at = Vec2::Zero();  ///< on the bar
+  int side = 1;            ///< the bar's surface would lie on the left (+1) or right (-1) of its stroke
+  double along = 0;        ///< from the end to the bar; negative where the end lies beyond it
   double cost = 0;
 };
 

@@ -18,9 +18,7 @@ namespace {
 // A drawing with more samples than this is a scribble: its outlines would be longer than 3000 times its diagonal.
 constexpr double maximum_samples = 500'000;
 
-// Things of a typical size measure at least so many u: a sheet of many small things is read as one of them is. At most
-// so many times finer than the sheet's own u, which bounds the number of samples.
-constexpr double least_typical_size = 150;
+// At most so many times finer than the sheet's own u, which bounds the number of samples.
 constexpr double finest_unit = 8;
 
 struct UsableStroke {

@@ -8,6 +8,9 @@
 
 namespace croquis::silhouette {
 
+/// Things of a typical size measure at least so many u: a sheet of many small things is read as one of them is.
+inline constexpr double least_typical_size = 150;
+
 /// The strokes of a drawing that can be read.
 struct SampledDrawing {
   DrawingScale scale;

@@ -16,8 +16,9 @@ double tremble_of(const std::vector<CleanLine>& lines, double step);
 /// the straight line through it: there a short piece follows the tremble. The same for both directions of drawing.
 Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& scale);
 
-/// Drawn by hand, the two sides of something thin may cross: the line is led on beside itself there, each side back
-/// where it came from. What crosses itself next to one of its ends is left as it is: that end passes behind
+/// Leads a line drawn by hand apart where it crosses itself. Where the two sides of something thin crossed it is led on
+/// beside itself, each side back where it came from; of a curl, which goes round in the same sense as the whole line,
+/// the smaller loop is cut off. What crosses itself next to one of its ends is left as it is: that end passes behind
 /// it.
 /// @returns the places where it crossed itself
 std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale);
