@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/planar_triangulation.h"
 
 namespace croquis::silhouette {
@@ -28,6 +29,11 @@ constexpr double enclosure_weight = 30;
 constexpr int directions = 48;
 // What cutting along a line costs of what the same gap would.
 constexpr double cut_along_line = 0.02;
+// A piece of the inside that lines divide from the rest and a gap from the outside is given up, such as what lies between
+// two legs, where that is worth more than it costs: length of lines that come onto the outline, or outside altogether,
+// counts so much of that of gaps.
+constexpr double line_onto_outline = 0.3;
+constexpr double line_outside = 1;
 // Smaller regions, in parts of the diagonal's square, are specks.
 constexpr double least_area = 0.002;
 // No three samples on a line: they are moved by so much of a step.
@@ -174,7 +180,8 @@ class EnvelopeSearch {
     result.seen.assign(ink_.of_stroke.size(), 0);
     result.outside.assign(ink_.of_stroke.size(), 0);
     if (plane_.triangles.empty()) return result;
-    inside_ = cut();
+    cut();
+    give_up_pieces();
     measure_strokes(result);
     find_regions(result);
     return result;
@@ -185,15 +192,23 @@ class EnvelopeSearch {
     return std::ranges::any_of(plane_.triangles[triangle], [this](Index v) { return v >= ink_.points.size(); });
   }
 
+  double edge_length(std::size_t triangle, std::size_t opposite) const {
+    const auto [from, to] = edge(triangle, opposite);
+    return (places_[to] - places_[from]).norm();
+  }
+
   std::pair<Index, Index> edge(std::size_t triangle, std::size_t opposite) const {
     const auto& corners = plane_.triangles[triangle];
     return {corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]};
   }
 
-  std::vector<char> cut() {
+  bool is_on_line(double length) const { return length <= ink_steps * ink_.step; }
+
+  void cut() {
     const double diagonal = ink_.box.diagonal().norm();
     InkGrid grid(ink_);
     Cut cut(plane_.triangles.size());
+    worth_.assign(plane_.triangles.size(), 0);
     for (std::size_t t = 0; t < plane_.triangles.size(); ++t) {
       const auto& [a, b, c] = plane_.triangles[t];
       if (in_frame(t)) {
@@ -201,17 +216,56 @@ class EnvelopeSearch {
       } else {
         const double area = cross(places_[b] - places_[a], places_[c] - places_[a]) / 2;
         const double enclosure = grid.enclosure((places_[a] + places_[b] + places_[c]) / 3);
-        cut.prefer_first(t, enclosure_weight * area / diagonal * (enclosure - enclosed_share));
+        worth_[t] = enclosure_weight * area / diagonal * (enclosure - enclosed_share);
+        cut.prefer_first(t, worth_[t]);
       }
       for (std::size_t i = 0; i < 3; ++i) {
         const Index other = plane_.neighbours[t][i];
         if (other == no_index || other < t) continue;
-        const auto [from, to] = edge(t, i);
-        const double length = (places_[to] - places_[from]).norm();
-        cut.join(t, other, length <= ink_steps * ink_.step ? cut_along_line * length : length);
+        const double length = edge_length(t, i);
+        cut.join(t, other, is_on_line(length) ? cut_along_line * length : length);
       }
     }
-    return cut.solve();
+    inside_ = cut.solve();
+  }
+
+  void give_up_pieces() {
+    DisjointSets pieces(plane_.triangles.size());
+    for_each_inner_edge([&](Index t, Index other, double length) {
+      if (other != no_index && inside_[other] != 0 && !is_on_line(length)) pieces.unite(t, other);
+    });
+    while (true) {
+      std::map<Index, double> gain, gap;
+      for (Index t = 0; t < inside_.size(); ++t) {
+        if (inside_[t] != 0) gain[pieces.root(t)] -= worth_[t];
+      }
+      for_each_inner_edge([&](Index t, Index other, double length) {
+        const Index piece = pieces.root(t);
+        const bool within = other != no_index && inside_[other] != 0;
+        if (is_on_line(length)) {
+          if (!within || pieces.root(other) != piece) gain[piece] += (within ? line_onto_outline : -line_outside) * length;
+        } else if (!within) {
+          gain[piece] += length;
+          gap[piece] += length;
+        }
+      });
+      Index best = no_index;
+      for (const auto& [piece, length] : gap) {
+        if (gain[piece] > 0 && (best == no_index || gain[piece] > gain[best])) best = piece;
+      }
+      if (best == no_index) return;
+      for (Index t = 0; t < inside_.size(); ++t) {
+        if (inside_[t] != 0 && pieces.root(t) == best) inside_[t] = 0;
+      }
+    }
+  }
+
+  /// Of triangles inside: each edge with the triangle beyond it.
+  template <typename Visit>
+  void for_each_inner_edge(Visit&& visit) const {
+    for (Index t = 0; t < inside_.size(); ++t) {
+      for (std::size_t i = 0; inside_[t] != 0 && i < 3; ++i) visit(t, plane_.neighbours[t][i], edge_length(t, i));
+    }
   }
 
   void measure_strokes(Envelope& result) const {
@@ -278,7 +332,8 @@ class EnvelopeSearch {
   Ink ink_;
   Points places_;  ///< samples and frame
   PlanarTriangulation plane_;
-  std::vector<char> inside_;  ///< per triangle
+  std::vector<double> worth_;  ///< per triangle: of being inside
+  std::vector<char> inside_;   ///< per triangle
 };
 
 }  // namespace
