@@ -31,6 +31,8 @@ constexpr double chord_share = 0.1;
 constexpr double negligible_gap = 3;
 // A stroke that closes itself may lack so much of its length.
 constexpr double farthest_closing = 0.3;
+// Two strokes that make an outline together may lack so much of the length of the shorter one.
+constexpr double farthest_opening = 0.4;
 // Ends of two strokes may be apart by so much of what hands miss by, and always by so much of the drawing (1000 u).
 constexpr double farthest_gap = 2.5;
 constexpr double least_farthest_gap = 50;
@@ -139,10 +141,11 @@ class ConnectionSearch {
     const double usual = closing ? std::max(scale_.gap, scale_.close_share * first.length)
                                  : std::max(scale_.gap, scale_.reach_share * (first.size + second.size) / 2);
     const double widest = closing ? std::max(scale_.close, farthest_closing * first.length)
-                                  : std::max(farthest_gap * usual, least_farthest_gap * scale_.unit);
+                                  : std::max({farthest_gap * usual, least_farthest_gap * scale_.unit,
+                                              farthest_opening * std::min(first.length, second.length)});
     if (distance > widest || !same_object(a.stroke, b.stroke)) return std::nullopt;
     const double share = distance / usual;
-    double cost = costs::gap * (closing ? costs::opening(share) : costs::miss(share));
+    double cost = costs::gap * (closing || share > farthest_gap ? costs::opening(share) : costs::miss(share));
     cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, distance, share);
     if (is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
     return EndJoin{0, 0, std::min(1.0, share), cost};
