@@ -14,6 +14,7 @@
 #include "algorithms/silhouette/figure/nested_outlines.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/reading/tube_outlines.h"
+#include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/told_hidden.h"
 #include "algorithms/silhouette/strokes/tremble.h"
@@ -60,7 +61,7 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
       };
       overlap.whole_outlines =
           std::any_of(labelled.crossings.begin(), labelled.crossings.end(), [&](const CrossingInView& pair) {
-            return pair.whole && !pair.tube && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
+            return pair.whole && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
           });
     }
   }
@@ -218,6 +219,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   }
   meet_bars(lines, contours.targets, scale);
   for (CleanLine& line : tube_outlines(material.sampled, reading, lines)) lines.push_back(std::move(line));
+  if (material.options.attach_suggested) lead_into_neighbours(lines, contours.targets, scale);
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
   meet_bars(lines, contours.targets, scale);  // bars may have moved
@@ -234,7 +236,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
   result.crossings = std::move(order.pairs);
-  std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.tube; });
+  std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.grown; });
   result.kinds = kinds_of(material, reading);
   mark_tubes(result);
   add_nested(drawing, result);

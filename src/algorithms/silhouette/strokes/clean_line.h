@@ -20,8 +20,11 @@ struct CleanLine {
   bool closed = false;
   bool bridged = false;  ///< closed over a gap that is more than what hands miss by
   bool tube = false;     ///< the outline of limbs that were drawn as one line
+  bool led = false;      ///< into a line that it lay beside
   double size = 0;       ///< see `size_of`
 
+  /// Out of what it crosses.
+  bool grows() const { return tube || led; }
   Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
   const Vec2& end(bool at_start) const { return at_start ? points.front() : points.back(); }
   Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }

@@ -48,7 +48,7 @@ class CrossingReader {
     order_lines(progress);
     std::ranges::sort(result_.pairs, {}, [](const CrossingInView& pair) { return std::pair(pair.front, pair.behind); });
     for (const CrossingInView& pair : result_.pairs) {
-      if (!pair.tube) result_.findings.push_back(warning(pair));
+      if (!pair.grown) result_.findings.push_back(warning(pair));
     }
     return std::move(result_);
   }
@@ -85,7 +85,7 @@ class CrossingReader {
   }
 
   void read_pair(Index a, Index b) {
-    if (tubes_only_ && !lines_[a].tube && !lines_[b].tube) return;
+    if (tubes_only_ && !lines_[a].grows() && !lines_[b].grows()) return;
     if (!lines_[a].closed && !lines_[b].closed) return;
     if (lines_[a].closed != lines_[b].closed) {
       const Index open = lines_[a].closed ? b : a;
@@ -138,7 +138,7 @@ class CrossingReader {
 
   /// How far two lines may come beyond one another without being meant to cross.
   double tremble_between(const CleanLine& a, const CleanLine& b) const {
-    if (a.tube || b.tube) return 0;  // a limb's round end may cover little
+    if (a.grows() || b.grows()) return 0;  // a limb's round end may cover little
     return std::max(crossing_tremble * scale_.unit, unsteady_share * scale_.tremble * std::min(a.size, b.size));
   }
 
@@ -148,7 +148,7 @@ class CrossingReader {
     result_.pairs.push_back({last_stroke(cover.front), last_stroke(line),
                              point_at(lines_[line].points, std::min(turned, count)), cover.chosen,
                              lines_[line].closed && lines_[cover.front].closed && !lines_[cover.front].bridged,
-                             lines_[line].tube || lines_[cover.front].tube});
+                             lines_[line].grows() || lines_[cover.front].grows()});
   }
 
   Finding warning(const CrossingInView& pair) const {
