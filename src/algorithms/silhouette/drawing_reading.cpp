@@ -193,6 +193,35 @@ Findings covered_lines(const Drawing& drawing, const LabelledDrawing& labelled) 
   return findings;
 }
 
+bool is_on_surface(const LabelledDrawing& labelled, const Vec2& place) {
+  return std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
+    const PlanarTriangulation& plane = figure.triangulation;
+    for (std::size_t t = 0; t < plane.triangles.size(); ++t) {
+      const auto& [a, b, c] = plane.triangles[t];
+      const auto is_left = [&](Index from, Index to) {
+        return orientation(figure.points[from], figure.points[to], place) >= 0;
+      };
+      if (figure.layers[t] > 0 && is_left(a, b) && is_left(b, c) && is_left(c, a)) return true;
+    }
+    return false;
+  });
+}
+
+/// Strokes too short to be lines are eyes and freckles where there is a surface.
+void add_dots(const Material& material, LabelledDrawing& labelled) {
+  for (const Index s : material.sampled.dots) {
+    const Stroke& stroke = material.drawing.strokes[s];
+    if (stroke.samples.size() > 1 && is_on_surface(labelled, stroke.samples.front().position)) {
+      labelled.kinds[s] = StrokeKind::Detail;
+    } else {
+      labelled.findings.push_back(
+          make_warning(Category::Geometry, "W_TINY",
+                       "The stroke " + in_quotes(material.drawing, s) + " is too short and was ignored",
+                       {stroke_subject(material.drawing, s)}));
+    }
+  }
+}
+
 void mark_tubes(LabelledDrawing& labelled) {
   for (LabelledFigure& figure : labelled.figures) {
     for (FigureObject& object : figure.objects) {
@@ -238,6 +267,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   result.crossings = std::move(order.pairs);
   std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.grown; });
   result.kinds = kinds_of(material, reading);
+  add_dots(material, result);
   mark_tubes(result);
   add_nested(drawing, result);
   mark_whole_outlines(result);

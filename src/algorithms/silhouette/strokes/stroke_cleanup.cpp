@@ -102,7 +102,8 @@ DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options, doub
           0};
 }
 
-std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale, Findings& findings) {
+std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingScale& scale, std::vector<Index>& dots,
+                                         Findings& findings) {
   std::vector<UsableStroke> usable;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
     const Stroke& stroke = drawing.strokes[s];
@@ -121,9 +122,7 @@ std::vector<UsableStroke> usable_strokes(const Drawing& drawing, const DrawingSc
     UsableStroke candidate{s, distinct_points(stroke), 0, stroke.closed, kind == StrokeKind::Hidden};
     candidate.length = croquis::length(candidate.points, candidate.closed);
     if (candidate.points.size() < 2 || candidate.length < scale.tiny) {
-      findings.push_back(make_warning(Category::Geometry, "W_TINY",
-                                      "The stroke " + in_quotes(drawing, s) + " is too short and was ignored",
-                                      {stroke_subject(drawing, s)}));
+      dots.push_back(s);
       continue;
     }
     usable.push_back(std::move(candidate));
@@ -185,7 +184,7 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   SampledDrawing result;
   result.findings = wrong_behind(drawing);
   result.scale = scale_of(drawing, options, typical);
-  std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.findings);
+  std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.dots, result.findings);
   result.hidden = take_hidden(usable);
   check_extent(drawing, usable, result.scale.step, result.findings);
   result.strokes = sample(drawing, usable, result.scale.step / 2);

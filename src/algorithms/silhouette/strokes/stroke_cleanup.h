@@ -16,12 +16,13 @@ struct SampledDrawing {
   DrawingScale scale;
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<HiddenStroke> hidden;
+  std::vector<Index> dots;  ///< indices into Drawing::strokes: too short to be a line of anything
   int smoothing_passes = 0;
-  Findings findings;  ///< strokes left out
+  Findings findings;
 };
 
-/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short are left out, the rest sampled
-/// evenly. No stroke is changed or deleted; the samples are copies.
+/// Step 1, stroke cleaning (Cordier, Seo, Cho 2006, section 3): strokes too short to be lines are set apart, the rest
+/// sampled evenly. No stroke is changed or deleted; the samples are copies.
 /// @param typical size of the things on the sheet (see `size_of`), which makes u finer where they are small; 0: not
 /// known
 /// @throws Error when nothing usable is left or the drawing is too long to sample
