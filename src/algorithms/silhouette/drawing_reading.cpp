@@ -211,13 +211,12 @@ bool is_on_surface(const LabelledDrawing& labelled, const Vec2& place) {
 void add_dots(const Material& material, LabelledDrawing& labelled) {
   for (const Index s : material.sampled.dots) {
     const Stroke& stroke = material.drawing.strokes[s];
-    if (stroke.samples.size() > 1 && is_on_surface(labelled, stroke.samples.front().position)) {
+    const StrokeKind told = stroke_kind(stroke).value_or(StrokeKind::Visible);
+    const bool may_be_detail = told == StrokeKind::Visible || told == StrokeKind::Detail || told == StrokeKind::Blob;
+    if (may_be_detail && stroke.samples.size() > 1 && is_on_surface(labelled, stroke.samples.front().position)) {
       labelled.kinds[s] = StrokeKind::Detail;
     } else {
-      labelled.findings.push_back(
-          make_warning(Category::Geometry, "W_TINY",
-                       "The stroke " + in_quotes(material.drawing, s) + " is too short and was ignored",
-                       {stroke_subject(material.drawing, s)}));
+      labelled.findings.push_back(too_short(material.drawing, s));
     }
   }
 }

@@ -20,8 +20,6 @@ namespace {
 // is moved.
 constexpr double depth_share = 0.12;
 constexpr double width_share = 0.25;
-// Closed lines that cross no deeper than this share of the smaller one's size lie beside one another.
-constexpr double shallow_share = 0.08;
 
 /// Where a line comes nearest to another one, or deepest into it.
 struct Contact {
@@ -48,15 +46,15 @@ Contact contact_between(const CleanLine& line, const CleanLine& other, double re
   return found;
 }
 
-/// Two closed lines that cross no deeper than by chance lie beside one another.
-bool lie_beside(const CleanLine& a, const CleanLine& b) {
+/// Two closed lines that weren't meant to cross lie beside one another.
+bool lie_beside(const CleanLine& a, const CleanLine& b, const DrawingScale& scale) {
   const CleanLine& smaller = a.size < b.size ? a : b;
-  const double shallow = shallow_share * smaller.size;
+  const double shallow = scale.shallow(smaller.size);
   return a.closed && b.closed && contact_between(smaller, &smaller == &a ? b : a, shallow).distance > -shallow;
 }
 
 /// Lines that end at one another, or cross, are one thing.
-DisjointSets things_of(const std::vector<CleanLine>& lines, const EndTargets& targets, double step) {
+DisjointSets things_of(const std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale) {
   DisjointSets things(lines.size());
   for (Index line = 0; line < targets.size(); ++line) {
     for (const std::optional<EndTarget>& target : targets[line]) {
@@ -64,14 +62,14 @@ DisjointSets things_of(const std::vector<CleanLine>& lines, const EndTargets& ta
     }
   }
   std::set<std::pair<Index, Index>> crossing;
-  const SegmentGrid grid(line_segments(lines), step);
+  const SegmentGrid grid(line_segments(lines), scale.step);
   grid.pairs([&](Index i, Index j) {
     const GridSegment& a = grid.segments()[i];
     const GridSegment& b = grid.segments()[j];
     if (a.line != b.line && cross_properly(a.a, a.b, b.a, b.b)) crossing.insert(std::minmax(a.line, b.line));
   });
   for (const auto& [a, b] : crossing) {
-    if (!lie_beside(lines[a], lines[b])) things.unite(a, b);
+    if (!lie_beside(lines[a], lines[b], scale)) things.unite(a, b);
   }
   return things;
 }
@@ -92,7 +90,7 @@ void lead(CleanLine& line, const Contact& contact) {
 
 void lead_into_neighbours(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale) {
   if (scale.reach_share <= 0) return;
-  const std::vector<Index> thing = things_of(lines, targets, scale.step).take_roots();
+  const std::vector<Index> thing = things_of(lines, targets, scale).take_roots();
   const auto is_within_any = [&](const CleanLine& line) {
     return std::ranges::any_of(lines, [&](const CleanLine& other) {
       return other.closed &&

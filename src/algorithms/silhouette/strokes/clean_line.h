@@ -73,6 +73,10 @@ struct DrawingScale {
 
   /// How far an end may miss a line when the larger of the two has this size.
   double reach(double size) const { return std::max(snap, reach_share * size); }
+
+  /// How far two lines, the smaller of this size, may come beyond one another without being meant to cross: some u, and
+  /// a share of the size where the hand was as unsteady as can be.
+  double shallow(double size) const { return std::max(2 * unit, 0.05 * tremble * size); }
 };
 
 }  // namespace croquis::silhouette

@@ -49,6 +49,12 @@ Finding no_solid(const std::string& why, std::vector<Subject> subjects) {
                     "No solid looks like this: " + why + "; check what passes behind what there", std::move(subjects));
 }
 
+Finding too_short(const Drawing& drawing, Index stroke) {
+  return make_warning(Category::Geometry, "W_TINY",
+                      "The stroke " + in_quotes(drawing, stroke) + " is too short and was ignored",
+                      {stroke_subject(drawing, stroke)});
+}
+
 std::string length_text(double length) { return number_text(length, 4); }
 
 }  // namespace croquis::silhouette

@@ -20,6 +20,9 @@ std::string in_quotes(const Drawing& drawing, Index stroke);
 /// @param why no solid looks like the drawing
 Finding no_solid(const std::string& why, std::vector<Subject> subjects);
 
+/// W_TINY.
+Finding too_short(const Drawing& drawing, Index stroke);
+
 /// A length with four significant digits.
 std::string length_text(double length);
 

@@ -186,6 +186,9 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   result.scale = scale_of(drawing, options, typical);
   std::vector<UsableStroke> usable = usable_strokes(drawing, result.scale, result.dots, result.findings);
   result.hidden = take_hidden(usable);
+  if (usable.empty()) {
+    for (const Index dot : result.dots) result.findings.push_back(too_short(drawing, dot));
+  }
   check_extent(drawing, usable, result.scale.step, result.findings);
   result.strokes = sample(drawing, usable, result.scale.step / 2);
   result.smoothing_passes = options.smoothing_passes;

@@ -19,10 +19,6 @@
 namespace croquis::silhouette {
 namespace {
 
-// Lines that come no further than this (u) beyond one another touch: crossings as shallow as that are a hand's tremble.
-constexpr double crossing_tremble = 2;
-// And as deep as this share of the smaller one's size where the hand was as unsteady as can be.
-constexpr double unsteady_share = 0.05;
 // Closed lines that come nearer than this (u) are moved apart.
 constexpr double touching = 0.2;
 
@@ -139,7 +135,7 @@ class CrossingReader {
   /// How far two lines may come beyond one another without being meant to cross.
   double tremble_between(const CleanLine& a, const CleanLine& b) const {
     if (a.grows() || b.grows()) return 0;  // a limb's round end may cover little
-    return std::max(crossing_tremble * scale_.unit, unsteady_share * scale_.tremble * std::min(a.size, b.size));
+    return scale_.shallow(std::min(a.size, b.size));
   }
 
   void tell(Index line, const Cover& cover, double parameter) {
