@@ -306,3 +306,121 @@ TEST_CASE("ends that meet are joined at the least cost, and cheaper the nearer t
     last = cheapest->cost;
   }
 }
+
+namespace {
+
+bool lies_within(const Envelope& envelope, const Vec2& place) {
+  return std::ranges::any_of(envelope.regions, [&](const EnclosedRegion& region) {
+    bool inside = false;
+    for (std::size_t i = 0; i < region.outline.size(); ++i) {
+      const Vec2& a = region.outline[i];
+      const Vec2& b = region.outline[(i + 1) % region.outline.size()];
+      if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y())) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  });
+}
+
+/// An ellipse of half axes 200 and 90 whose belly is `belly(x)`.
+double belly(double x) { return -90 * std::sqrt(1 - x * x / (200.0 * 200)); }
+
+Stroke ellipse(const std::string& id, const Vec2& centre, const Vec2& axes, double degrees = 360) {
+  std::vector<Vec2> points;
+  for (double at = 0; at < degrees; at += 3) {
+    points.emplace_back(centre + Vec2(axes.x() * std::cos(at * pi / 180), axes.y() * std::sin(at * pi / 180)));
+  }
+  return stroke_of(id, points, degrees == 360);
+}
+
+}  // namespace
+
+TEST_CASE("what lies between two legs is outside, however near their feet are") {
+  for (const double between : {8.0, 15.0, 25.0}) {
+    for (const double width : {20.0, 30.0}) {
+      INFO(between << " between legs of width " << width);
+      Drawing drawing;
+      drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+      std::vector<Vec2> middles, gaps;
+      for (const double x : {-110.0, 60.0}) {
+        for (int leg = 0; leg < 2; ++leg) {
+          const double left = x + leg * (width + between), right = left + width;
+          drawing.strokes.push_back(stroke_of("leg" + std::to_string(drawing.strokes.size()),
+                                              {{left, belly(left)}, {left, -230}, {right, -230}, {right, belly(right)}}));
+          middles.emplace_back(left + width / 2, -170);
+        }
+        gaps.emplace_back(x + width + between / 2, -170);
+      }
+      const Envelope envelope = enclosed_regions(sample_strokes(drawing, StrokeOptions{}).strokes);
+      for (const Vec2& place : middles) CHECK(lies_within(envelope, place));
+      for (const Vec2& place : gaps) CHECK_FALSE(lies_within(envelope, place));
+      CHECK(lies_within(envelope, Vec2::Zero()));
+    }
+  }
+}
+
+TEST_CASE("two lines that leave the foot open are one leg") {
+  for (const double width : {20.0, 28.0, 36.0}) {
+    INFO(width);
+    Drawing drawing;
+    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+    for (const double x : {-60.0, 60.0}) {
+      drawing.strokes.push_back(stroke_of("front" + std::to_string(x), {{x, belly(x) - 2}, {x, -205}}));
+      drawing.strokes.push_back(
+          stroke_of("back" + std::to_string(x), {{x + width, belly(x + width) - 2}, {x + width, -208}}));
+    }
+    const LabelledDrawing labelled = read(drawing);
+    CHECK_FALSE(has_errors(labelled.findings));
+    for (const StrokeKind kind : labelled.kinds) CHECK(kind == StrokeKind::Contour);
+    CHECK(counts_of(labelled).objects == 3);
+  }
+}
+
+TEST_CASE("a head beside its body grows out of it where parts are attached") {
+  for (const double gap : {-2.0, 0.0, 3.0, 9.0}) {
+    INFO("gap " << gap);
+    Drawing drawing;
+    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+    drawing.strokes.push_back(ellipse("head", {-200 - gap - 60, 0}, {60, 60}, 357));
+    drawing.strokes.push_back(stroke_of("eye", {{-280, 15}, {-272, 25}, {-265, 17}}));
+    Options options = Options::of(Preset::Tablet);
+    Progress progress;
+    const Solid apart = inflate(label(drawing, options, progress), drawing, options, progress);
+    CHECK(apart.shells.size() == 2);
+    options.attach_suggested = true;
+    const LabelledDrawing labelled = label(drawing, options, progress);
+    CHECK(labelled.crossings.empty());
+    const Solid together = inflate(labelled, drawing, options, progress);
+    CHECK_FALSE(has_errors(together.findings));
+    REQUIRE(together.shells.size() == 1);
+    CHECK(together.shells.front().euler_mesh == 2);
+  }
+}
+
+TEST_CASE("what is made of several lines beside something larger is a thing of its own") {
+  Drawing drawing;
+  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+  drawing.strokes.push_back(ellipse("apple", {-265, 0}, {60, 60}));
+  drawing.strokes.push_back(stroke_of("stalk", {{-275, 60}, {-280, 110}, {-265, 110}, {-262, 60}}));
+  Options options = Options::of(Preset::Tablet);
+  options.attach_suggested = true;
+  Progress progress;
+  const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
+  CHECK(solid.shells.size() == 2);
+}
+
+TEST_CASE("a dot on a surface is a detail, and one beside it is left out by name") {
+  Drawing drawing;
+  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+  drawing.strokes.push_back(stroke_of("eye", {{-100, 30}, {-99, 31}, {-98, 30}}));
+  drawing.strokes.push_back(stroke_of("speck", {{260, 30}, {261, 31}, {262, 30}}));
+  const LabelledDrawing labelled = read(drawing);
+  CHECK(kinds_by_id(drawing, labelled)["eye"] == StrokeKind::Detail);
+  REQUIRE(labelled.findings.size() == 1);
+  CHECK(labelled.findings.front().code == "W_TINY");
+  CHECK(strokes_named(labelled.findings.front()) == std::vector<std::string>{"speck"});
+  const Solid solid = solid_of(drawing);
+  REQUIRE(solid.lines.size() == 1);
+  CHECK(drawing.strokes[solid.lines.front().stroke].id == "eye");
+}
