@@ -69,7 +69,7 @@ Outcome outcome(const Drawing& drawing) {
     result.solid = solid.mesh.face_count() > 0;
     result.covers = result.solid && covers(solid.mesh, drawing);
   } catch (const Error& error) {
-    result.problem = error.findings().front().code;
+    result.problem = first_error(error.findings());
   }
   return result;
 }
@@ -96,7 +96,7 @@ void bench_strangers(std::ostream& out, const std::vector<std::string>& words) {
     try {
       one = outcome(read_svg_drawing(read_file(file.string()), file.string(), progress).drawing);
     } catch (const Error& error) {
-      one.problem = error.findings().front().code;
+      one.problem = first_error(error.findings());
     }
     solids += one.solid ? 1 : 0;
     covering += one.covers ? 1 : 0;

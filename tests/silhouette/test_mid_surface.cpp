@@ -90,3 +90,18 @@ TEST_CASE("sheets far enough apart are left as they are") {
   CHECK(result.iterations == 0);
   CHECK(least_clearance(stage, result.z, h) > stage.data.gap);
 }
+
+TEST_CASE("triangles without area have a stiffness that can be reckoned with") {
+  SheetSampling sheets;
+  sheets.points = {{0, 0}, {1, 0}, {0.5, 1e-13}, {0.5, 1}};
+  sheets.lifted.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}};
+  sheets.lifted.neighbours = {{2, 1, no_index}, {2, no_index, 0}, {no_index, 1, 0}};
+  sheets.lifted.planar_vertex = {0, 1, 2, 3};
+  sheets.lifted.on_boundary = {1, 1, 0, 1};
+  const SheetOperator op = make_sheet_operator(sheets);
+  CHECK(op.stiffness.coeffs().cwiseAbs().maxCoeff() < 1e5);
+  CHECK((op.stiffness * Eigen::VectorXd::Ones(4)).norm() < 1e-9);
+  // What has area is what it is in the plane: the linear function x costs its gradient's square, half over this area.
+  const Eigen::VectorXd x = Eigen::Vector4d(0, 1, 0.5, 0.5);
+  CHECK(x.dot(op.stiffness * x) == Approx(0.5).epsilon(1e-6));
+}

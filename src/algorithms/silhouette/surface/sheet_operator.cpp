@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/surface/sheet_operator.h"
 
+#include <algorithm>
 #include <array>
 
 namespace croquis::silhouette {
 namespace {
 
+// Triangles flatter than that (height over length) count as that high: what has no area has no stiffness that could be
+// worked out.
+constexpr double least_height = 1e-4;
+
 /// Per corner half the cotangent of its angle.
 std::array<double, 3> half_cotangents(const std::array<Index, 3>& corners, const std::vector<Vec2>& position,
                                       double twice_area) {
   std::array<double, 3> result{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double squared = (position[corners[k]] - position[corners[(k + 1) % 3]]).squaredNorm();
+    twice_area = std::max(twice_area, least_height * squared);
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2& apex = position[corners[k]];
     const Vec2& a = position[corners[(k + 1) % 3]];
