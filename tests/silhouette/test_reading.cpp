@@ -424,3 +424,19 @@ TEST_CASE("a dot on a surface is a detail, and one beside it is left out by name
   REQUIRE(solid.lines.size() == 1);
   CHECK(drawing.strokes[solid.lines.front().stroke].id == "eye");
 }
+
+TEST_CASE("a few spots on a body are parts of it, many are its pattern") {
+  for (const auto& [count, kind] : {std::pair(3, StrokeKind::Blob), std::pair(12, StrokeKind::Detail)}) {
+    Drawing drawing;
+    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+    for (int spot = 0; spot < count; ++spot) {
+      const double at = 2 * pi * spot / count;
+      drawing.strokes.push_back(
+          ellipse("spot" + std::to_string(spot), {120 * std::cos(at), 70 * std::sin(at)}, {14, 12}));
+    }
+    const LabelledDrawing labelled = read(drawing);
+    INFO(count << " spots");
+    CHECK_FALSE(has_errors(labelled.findings));
+    CHECK(std::ranges::count(labelled.kinds, kind) == count);
+  }
+}

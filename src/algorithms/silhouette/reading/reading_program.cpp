@@ -105,11 +105,22 @@ bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
   return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
 }
 
-/// Of a stroke that is a whole outline: what it costs that it encloses little.
-double ReadingProgram::thinness_cost(Index stroke) const {
+/// Of a stroke that is a whole outline: what it costs that it encloses little, and that it is one of many curls or
+/// spots within everything.
+double ReadingProgram::cost_as_outline(Index stroke) const {
   const SampledStroke& line = strokes_[stroke];
   const double width = 2 * std::abs(signed_area(line.points)) / line.length;
-  return costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_));
+  const double thinness = costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_));
+  constexpr double alike = 2;
+  constexpr int face = 4;
+  const auto is_within = [&](Index s) { return envelope_.seen[s] == 0 && envelope_.outside[s] == 0; };
+  if (!is_within(stroke)) return thinness;
+  int others = 0;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    const double ratio = strokes_[s].size / line.size;
+    if (s != stroke && is_within(s) && ratio < alike && ratio > 1 / alike) ++others;
+  }
+  return thinness + std::min(costs::most_of_many, costs::one_of_many * std::max(0, others - face));
 }
 
 double ReadingProgram::cost(Index stroke, LineKind kind) const {
@@ -118,7 +129,8 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
   const double outside = envelope_.outside[stroke];
   const double size = share_in(line.size, extent_);
   switch (kind) {
-    case LineKind::Contour: return costs::contour + crossings_[stroke] + (line.closed ? thinness_cost(stroke) : 0);
+    case LineKind::Contour:
+      return costs::contour + crossings_[stroke] + (line.closed ? cost_as_outline(stroke) : 0);
     case LineKind::Region: {
       double shared = 0;
       for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
@@ -232,7 +244,7 @@ void ReadingProgram::add_connections() {
   for (const EndJoin& join : connections_.joins) {
     const Index stroke = connections_.ends[join.a].stroke;
     const bool closes = connections_.ends[join.b].stroke == stroke;
-    const Index taken = program_.add_variable(0, 1, join.cost + (closes ? thinness_cost(stroke) : 0));
+    const Index taken = program_.add_variable(0, 1, join.cost + (closes ? cost_as_outline(stroke) : 0));
     join_.push_back(taken);
     visible[join.a].push_back({taken, 1});
     visible[join.b].push_back({taken, 1});
@@ -253,7 +265,7 @@ void ReadingProgram::add_connections() {
   for (const HiddenPair& pair : connections_.hidden) {
     const Index stroke = connections_.ends[pair.a].stroke;
     const bool is_limb = connections_.ends[pair.b].stroke == stroke;
-    const Index taken = program_.add_variable(0, 1, pair.cost + (is_limb ? thinness_cost(stroke) : 0));
+    const Index taken = program_.add_variable(0, 1, pair.cost + (is_limb ? cost_as_outline(stroke) : 0));
     hidden_.push_back(taken);
     if (is_limb) {  // the surface lies in what its line goes round
       signed_area(strokes_[stroke].points) > 0 ? program_.add_row({{taken, 1}, {side_[stroke], -1}}, -1, 0)
