@@ -105,22 +105,26 @@ bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
   return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
 }
 
-/// Of a stroke that is a whole outline: what it costs that it encloses little, and that it is one of many curls or
-/// spots within everything.
+/// How much a stroke is one of many curls or spots within everything, 0..1. A face has four.
+double ReadingProgram::pattern(Index stroke) const {
+  constexpr double alike = 2;
+  constexpr double least = 4, most = 7;
+  const auto is_within = [&](Index s) { return envelope_.seen[s] == 0 && envelope_.outside[s] == 0; };
+  if (!is_within(stroke)) return 0;
+  int others = 0;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    const double ratio = strokes_[s].size / strokes_[stroke].size;
+    if (s != stroke && is_within(s) && ratio < alike && ratio > 1 / alike) ++others;
+  }
+  return std::clamp((others - least) / (most - least), 0.0, 1.0);
+}
+
+/// Of a stroke that is a whole outline: what it costs that it encloses little, or is one of many.
 double ReadingProgram::cost_as_outline(Index stroke) const {
   const SampledStroke& line = strokes_[stroke];
   const double width = 2 * std::abs(signed_area(line.points)) / line.length;
-  const double thinness = costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_));
-  constexpr double alike = 2;
-  constexpr int face = 4;
-  const auto is_within = [&](Index s) { return envelope_.seen[s] == 0 && envelope_.outside[s] == 0; };
-  if (!is_within(stroke)) return thinness;
-  int others = 0;
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    const double ratio = strokes_[s].size / line.size;
-    if (s != stroke && is_within(s) && ratio < alike && ratio > 1 / alike) ++others;
-  }
-  return thinness + std::min(costs::most_of_many, costs::one_of_many * std::max(0, others - face));
+  return costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_)) +
+         costs::one_of_many * pattern(stroke);
 }
 
 double ReadingProgram::cost(Index stroke, LineKind kind) const {
@@ -140,7 +144,7 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
     }
     case LineKind::Detail:
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
-             (line.closed ? costs::closed_detail + 4 * size : 0) + costs::detail_outside * outside;
+             (line.closed ? (1 - pattern(stroke)) * (costs::closed_detail + 4 * size) : 0) + costs::detail_outside * outside;
     case LineKind::Tube:
       return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
              costs::tube_size * size + (hanging_[stroke] != 0 ? 0 : costs::tube_apart);

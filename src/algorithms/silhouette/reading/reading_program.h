@@ -65,6 +65,7 @@ class ReadingProgram {
   Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
   std::vector<char> hanging_on_regions() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
+  double pattern(Index stroke) const;
   double cost_as_outline(Index stroke) const;
   double cost(Index stroke, LineKind kind) const;
   int known_side(Index stroke) const;
