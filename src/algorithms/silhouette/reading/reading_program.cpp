@@ -312,14 +312,23 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   const auto is_meant = [&](Index stroke) { return strokes.empty() || std::ranges::count(strokes, stroke) > 0; };
   const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
   std::vector<Term> all;
+  double count = 0;
+  const auto add = [&](Index taken) {
+    all.push_back({taken, 1});
+    ++count;
+  };
   for (Index s = 0; s < strokes_.size(); ++s) {
-    if (is_meant(s)) all.push_back({variable(s, reading.kinds[s]), 1});
+    if (!is_meant(s)) continue;
+    add(variable(s, reading.kinds[s]));
+    // Whether a line is a detail or none makes no difference to contours.
+    if (reading.kinds[s] == LineKind::Detail) all.push_back({variable(s, LineKind::Ignored), 1});
+    if (reading.kinds[s] == LineKind::Ignored) all.push_back({variable(s, LineKind::Detail), 1});
   }
   for (std::size_t i = 0; connections && i < join_.size(); ++i) {
     const EndJoin& join = connections_.joins[i];
     const auto is_this = [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; };
     if (std::ranges::none_of(reading.joins, is_this)) continue;
-    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) all.push_back({join_[i], 1});
+    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[i]);
   }
   for (std::size_t i = 0; connections && i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
@@ -327,9 +336,8 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
       return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
     };
     if (std::ranges::none_of(reading.meetings, is_this)) continue;
-    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) all.push_back({meeting_[i], 1});
+    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[i]);
   }
-  const auto count = static_cast<double>(all.size());
   program_.add_row(std::move(all), 0, count - 1);
 }
 
