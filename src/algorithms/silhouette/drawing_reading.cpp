@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <iterator>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
@@ -69,6 +69,8 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
 
 // So many readings are tried before all but what lines enclose is given up.
 constexpr int most_readings = 8;
+// And so many connections of the same strokes before their kinds must change.
+constexpr int most_connections = 3;
 // A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
 constexpr int most_matchings = 60;
 constexpr int most_later_matchings = 12;
@@ -338,7 +340,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
   std::optional<LabelledDrawing> first;
-  std::set<std::vector<Index>> failed;
+  std::map<std::vector<Index>, int> failed;
   for (int tried = 0; tried < most_readings + 2; ++tried) {
     progress.check();
     if (tried == most_readings) program.allow_regions_only();
@@ -350,8 +352,8 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     append(left_out(material, *reading), labelled.findings);
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
     for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
-      // What fails again in the same way isn't saved by other connections.
-      program.exclude(*reading, strokes, failed.insert(strokes).second);
+      // What fails again and again isn't saved by other connections.
+      program.exclude(*reading, strokes, ++failed[strokes] <= most_connections);
     }
     if (!first) first = std::move(labelled);
     if (options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
