@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sample_count.h"
+#include "support/sketches/characters/character.h"
 #include "support/sketches/sketch_generator.h"
 
 namespace croquis::silhouette {
@@ -291,6 +292,51 @@ TEST_CASE("lines drawn over again are told, parallel strands are not") {
       INFO("strands " << apart << " apart, with " << wobble);
       const auto strand = [&](int i) { return apart + wobble * std::sin(0.11 * i + 1); };
       CHECK_FALSE(tells(of({frame, beside("first", straight), beside("second", strand)}), "W_DOUBLE"));
+    }
+  }
+}
+
+namespace {
+
+bool is_round(const LabelledFigure& figure, const FigureContour& contour, const Vec2& place) {
+  bool inside = false;
+  for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+    const Vec2& a = figure.points[contour.vertices[i]];
+    const Vec2& b = figure.points[contour.vertices[(i + 1) % contour.vertices.size()]];
+    if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y())) inside = !inside;
+  }
+  return inside;
+}
+
+/// The share of a stroke that lies in none of the contours.
+double share_outside(const Stroke& stroke, const LabelledDrawing& labelled) {
+  const auto is_within = [&](const StrokeSample& sample) {
+    return std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
+      return std::ranges::any_of(figure.contours, [&](const FigureContour& contour) {
+        return is_round(figure, contour, sample.position);
+      });
+    });
+  };
+  return 1 - static_cast<double>(std::ranges::count_if(stroke.samples, is_within)) /
+                 static_cast<double>(stroke.samples.size());
+}
+
+}  // namespace
+
+TEST_CASE("no line that lies beside its solid is taken for a detail of it") {
+  HandOptions hand;
+  hand.jitter = 0.01;
+  for (const Character& character : all_characters()) {
+    for (int seed = 0; seed < sample_count(2, 20); ++seed) {
+      const Drawing drawing =
+          drawn_by_hand(character_sketch(character), 91001 + static_cast<std::uint64_t>(seed), hand);
+      const LabelledDrawing labelled = label_quietly(drawing);
+      INFO(character.name << " " << seed);
+      for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
+        if (labelled.kinds[s] != StrokeKind::Detail) continue;
+        INFO(drawing.strokes[s].id);
+        CHECK(share_outside(drawing.strokes[s], labelled) < 0.6);
+      }
     }
   }
 }

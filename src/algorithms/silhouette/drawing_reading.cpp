@@ -299,6 +299,25 @@ std::vector<std::vector<Index>> faulty_strokes(const Material& material, const F
   return faulty;
 }
 
+/// Strokes taken for details of which much lies beside everything: there would be nothing of them.
+std::vector<Index> lost_details(const Material& material, const Reading& reading, const LabelledDrawing& labelled) {
+  constexpr int places = 12;
+  constexpr int most_lost = 5;
+  std::vector<Index> lost;
+  for (Index s = 0; s < reading.kinds.size(); ++s) {
+    const SampledStroke& stroke = material.sampled.strokes[s];
+    const bool is_line = stroke.told == StrokeKind::Visible && !is_scribble(material, s);
+    if (reading.kinds[s] != LineKind::Detail || !is_line) continue;
+    int off = 0;
+    for (int k = 0; k < places; ++k) {
+      const double parameter = (k + 0.5) / places * static_cast<double>(stroke.points.size() - 1);
+      off += is_on_surface(labelled, point_at(stroke.points, parameter)) ? 0 : 1;
+    }
+    if (off > most_lost) lost.push_back(s);
+  }
+  return lost;
+}
+
 /// Whether two closed strokes cross: that has no other meaning.
 bool outlines_cross(const Material& material, const LabelledDrawing& labelled) {
   return std::ranges::any_of(labelled.findings, [&](const Finding& finding) {
@@ -339,7 +358,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
-  std::optional<LabelledDrawing> first;
+  std::optional<LabelledDrawing> first, with_losses;
   std::map<std::vector<Index>, int> failed;
   for (int tried = 0; tried < most_readings + 2; ++tried) {
     progress.check();
@@ -350,7 +369,13 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     LabelledDrawing labelled =
         label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
     append(left_out(material, *reading), labelled.findings);
-    if (!has_errors(labelled.findings) && !labelled.figures.empty()) return labelled;
+    if (!has_errors(labelled.findings) && !labelled.figures.empty()) {
+      const std::vector<Index> lost = lost_details(material, *reading, labelled);
+      if (lost.empty()) return labelled;
+      for (const Index s : lost) program.forbid(s, LineKind::Detail);
+      if (!with_losses) with_losses = std::move(labelled);
+      continue;
+    }
     for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
       // What fails again and again isn't saved by other connections.
       program.exclude(*reading, strokes, ++failed[strokes] <= most_connections);
@@ -358,6 +383,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (!first) first = std::move(labelled);
     if (options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
   }
+  if (with_losses) return *std::move(with_losses);
   if (first) return *std::move(first);
   LabelledDrawing nothing;
   nothing.findings = material.sampled.findings;

@@ -355,8 +355,10 @@ std::vector<Index> ReadingProgram::contradictions() const {
   return contradicting.empty() ? told : contradicting;
 }
 
+void ReadingProgram::forbid(Index stroke, LineKind kind) { program_.fix(variable(stroke, kind), 0); }
+
 void ReadingProgram::forbid(LineKind kind) {
-  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, kind), 0);
+  for (Index s = 0; s < strokes_.size(); ++s) forbid(s, kind);
 }
 
 void ReadingProgram::allow_regions_only() {

@@ -52,6 +52,8 @@ class ReadingProgram {
   /// Only the outlines of regions may be contours.
   void allow_regions_only();
 
+  void forbid(Index stroke, LineKind kind);
+
   /// No stroke has that kind.
   void forbid(LineKind kind);
 
