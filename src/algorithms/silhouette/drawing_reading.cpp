@@ -372,7 +372,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) {
       const std::vector<Index> lost = lost_details(material, *reading, labelled);
       if (lost.empty()) return labelled;
-      for (const Index s : lost) program.forbid(s, LineKind::Detail);
+      for (const Index s : lost) program.forbid_loss(s);
       if (!with_losses) with_losses = std::move(labelled);
       continue;
     }

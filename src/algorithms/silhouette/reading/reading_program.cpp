@@ -355,10 +355,14 @@ std::vector<Index> ReadingProgram::contradictions() const {
   return contradicting.empty() ? told : contradicting;
 }
 
-void ReadingProgram::forbid(Index stroke, LineKind kind) { program_.fix(variable(stroke, kind), 0); }
+void ReadingProgram::forbid_loss(Index stroke) {
+  program_.fix(variable(stroke, LineKind::Detail), 0);
+  const bool can_be_limb = !strokes_[stroke].closed && hanging_[stroke] != 0;
+  if (can_be_limb) program_.fix(variable(stroke, LineKind::Ignored), 0);
+}
 
 void ReadingProgram::forbid(LineKind kind) {
-  for (Index s = 0; s < strokes_.size(); ++s) forbid(s, kind);
+  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, kind), 0);
 }
 
 void ReadingProgram::allow_regions_only() {

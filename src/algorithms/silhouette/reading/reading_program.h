@@ -52,7 +52,8 @@ class ReadingProgram {
   /// Only the outlines of regions may be contours.
   void allow_regions_only();
 
-  void forbid(Index stroke, LineKind kind);
+  /// The stroke is no detail, and not left out where it could be a limb.
+  void forbid_loss(Index stroke);
 
   /// No stroke has that kind.
   void forbid(LineKind kind);
