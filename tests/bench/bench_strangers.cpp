@@ -55,6 +55,11 @@ bool covers(const PolyMesh& solid, const Drawing& drawing) {
   return (made.array() >= covered_share * drawn.array()).all();
 }
 
+std::string first_error(const Findings& findings) {
+  const auto error = std::ranges::find(findings, Severity::Error, &Finding::severity);
+  return error == findings.end() ? "" : error->code;
+}
+
 Outcome outcome(const Drawing& drawing) {
   Outcome result;
   Options options;
