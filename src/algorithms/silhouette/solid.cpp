@@ -135,6 +135,7 @@ class SolidBuilder {
 
   void add_lines(const LabelledDrawing& labelled) {
     constexpr double shown_within = 15;  // u: a line that near to a contour is that contour
+    if (labelled.figures.empty()) return;
     std::vector<DrawnLine> details, contours;
     double step = 0, unit = 0;
     for (const LabelledFigure& figure : labelled.figures) {

@@ -9,16 +9,18 @@ namespace {
 
 // Triangles flatter than that (height over length) count as that high: what has no area has no stiffness that could be
 // worked out.
-constexpr double least_height = 1e-4;
+constexpr double least_height = 1e-3;
+
+/// Twice the area of a triangle that is no flatter than that.
+double area_with_height(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return std::max(cross(b - a, c - a), least_height * longest);
+}
 
 /// Per corner half the cotangent of its angle.
 std::array<double, 3> half_cotangents(const std::array<Index, 3>& corners, const std::vector<Vec2>& position,
                                       double twice_area) {
   std::array<double, 3> result{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double squared = (position[corners[k]] - position[corners[(k + 1) % 3]]).squaredNorm();
-    twice_area = std::max(twice_area, least_height * squared);
-  }
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2& apex = position[corners[k]];
     const Vec2& a = position[corners[(k + 1) % 3]];
@@ -77,7 +79,7 @@ SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::Vect
   for (const auto& corners : lifted.triangles) {
     const auto& [a, b, c] = corners;
     const double mean = (weight[a] + weight[b] + weight[c]) / 3;
-    const double twice_area = cross(op.position[b] - op.position[a], op.position[c] - op.position[a]);
+    const double twice_area = area_with_height(op.position[a], op.position[b], op.position[c]);
     weights.push_back(half_cotangents(corners, op.position, twice_area));
     for (double& own : weights.back()) own *= mean;
     for (const Index v : corners) op.area[v] += mean * twice_area / 6;
