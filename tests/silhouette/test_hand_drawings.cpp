@@ -303,7 +303,8 @@ bool is_round(const LabelledFigure& figure, const FigureContour& contour, const 
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
     const Vec2& a = figure.points[contour.vertices[i]];
     const Vec2& b = figure.points[contour.vertices[(i + 1) % contour.vertices.size()]];
-    if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y())) inside = !inside;
+    if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y()))
+      inside = !inside;
   }
   return inside;
 }
@@ -312,9 +313,8 @@ bool is_round(const LabelledFigure& figure, const FigureContour& contour, const 
 double share_outside(const Stroke& stroke, const LabelledDrawing& labelled) {
   const auto is_within = [&](const StrokeSample& sample) {
     return std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
-      return std::ranges::any_of(figure.contours, [&](const FigureContour& contour) {
-        return is_round(figure, contour, sample.position);
-      });
+      return std::ranges::any_of(
+          figure.contours, [&](const FigureContour& contour) { return is_round(figure, contour, sample.position); });
     });
   };
   return 1 - static_cast<double>(std::ranges::count_if(stroke.samples, is_within)) /

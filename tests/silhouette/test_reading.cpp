@@ -346,8 +346,9 @@ TEST_CASE("what lies between two legs is outside, however near their feet are") 
       for (const double x : {-110.0, 60.0}) {
         for (int leg = 0; leg < 2; ++leg) {
           const double left = x + leg * (width + between), right = left + width;
-          drawing.strokes.push_back(stroke_of("leg" + std::to_string(drawing.strokes.size()),
-                                              {{left, belly(left)}, {left, -230}, {right, -230}, {right, belly(right)}}));
+          drawing.strokes.push_back(
+              stroke_of("leg" + std::to_string(drawing.strokes.size()),
+                        {{left, belly(left)}, {left, -230}, {right, -230}, {right, belly(right)}}));
           middles.emplace_back(left + width / 2, -170);
         }
         gaps.emplace_back(x + width + between / 2, -170);

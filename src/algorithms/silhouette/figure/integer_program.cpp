@@ -87,6 +87,7 @@ int run(glp_prob* problem, PlainProblem& plain, NodeCount& nodes) {
   glp_init_smcp(&simplex);
   simplex.msg_lev = GLP_MSG_OFF;
   simplex.it_lim = maximum_simplex_iterations;
+  simplex.meth = GLP_DUALP;
   if (glp_simplex(problem, &simplex) != 0) return glp_get_status(problem) == GLP_NOFEAS ? 1 : 2;
   if (glp_get_status(problem) != GLP_OPT) return 1;
   glp_iocp branching;

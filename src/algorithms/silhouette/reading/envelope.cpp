@@ -29,9 +29,9 @@ constexpr double enclosure_weight = 30;
 constexpr int directions = 48;
 // What cutting along a line costs of what the same gap would.
 constexpr double cut_along_line = 0.02;
-// A piece of the inside that lines divide from the rest and a gap from the outside is given up, such as what lies between
-// two legs, where that is worth more than it costs: length of lines that come onto the outline, or outside altogether,
-// counts so much of that of gaps.
+// A piece of the inside that lines divide from the rest and a gap from the outside is given up, such as what lies
+// between two legs, where that is worth more than it costs: length of lines that come onto the outline, or outside
+// altogether, counts so much of that of gaps.
 constexpr double line_onto_outline = 0.3;
 constexpr double line_outside = 1;
 // Smaller regions, in parts of the diagonal's square, are specks.
@@ -243,7 +243,8 @@ class EnvelopeSearch {
         const Index piece = pieces.root(t);
         const bool within = other != no_index && inside_[other] != 0;
         if (is_on_line(length)) {
-          if (!within || pieces.root(other) != piece) gain[piece] += (within ? line_onto_outline : -line_outside) * length;
+          if (!within || pieces.root(other) != piece)
+            gain[piece] += (within ? line_onto_outline : -line_outside) * length;
         } else if (!within) {
           gain[piece] += length;
           gap[piece] += length;

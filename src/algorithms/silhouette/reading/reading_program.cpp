@@ -133,8 +133,7 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
   const double outside = envelope_.outside[stroke];
   const double size = share_in(line.size, extent_);
   switch (kind) {
-    case LineKind::Contour:
-      return costs::contour + crossings_[stroke] + (line.closed ? cost_as_outline(stroke) : 0);
+    case LineKind::Contour: return costs::contour + crossings_[stroke] + (line.closed ? cost_as_outline(stroke) : 0);
     case LineKind::Region: {
       double shared = 0;
       for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
@@ -144,7 +143,8 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
     }
     case LineKind::Detail:
       return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
-             (line.closed ? (1 - pattern(stroke)) * (costs::closed_detail + 4 * size) : 0) + costs::detail_outside * outside;
+             (line.closed ? (1 - pattern(stroke)) * (costs::closed_detail + 4 * size) : 0) +
+             costs::detail_outside * outside;
     case LineKind::Tube:
       return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
              costs::tube_size * size + (hanging_[stroke] != 0 ? 0 : costs::tube_apart);

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "algorithms/silhouette/strokes/covered_runs.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 #include "croquis/geometry/disjoint_sets.h"
@@ -31,6 +33,7 @@ struct Contact {
 /// @param reach no farther and no deeper than that
 Contact contact_between(const CleanLine& line, const CleanLine& other, double reach) {
   const SegmentGrid grid(line_segments({other}), reach);
+  const double inside = signed_area(other.points) > 0 ? 1 : -1;
   Contact found;
   for (Index i = 0; i < line.points.size(); ++i) {
     const Vec2& point = line.points[i];
@@ -38,7 +41,9 @@ Contact contact_between(const CleanLine& line, const CleanLine& other, double re
     grid.near_box(point - Vec2::Constant(reach), point + Vec2::Constant(reach), [&](Index k) {
       const GridSegment& segment = grid.segments()[k];
       const Vec2 way = segment.a + nearest_parameter(point, segment.a, segment.b) * (segment.b - segment.a) - point;
-      if (way.norm() < here.distance) here = {i, way.norm(), way.normalized()};
+      if (way.norm() >= here.distance) return;
+      here = {i, way.norm(),
+              way.norm() > 0 ? way.normalized() : inside * left_of((segment.b - segment.a).normalized())};
     });
     if (other.closed && encloses(other, point)) here = {i, -std::min(reach, here.distance), -here.direction};
     if (here.distance < std::min(reach, found.distance)) found = here;
@@ -93,17 +98,23 @@ void lead_into_neighbours(std::vector<CleanLine>& lines, const EndTargets& targe
   const std::vector<Index> thing = things_of(lines, targets, scale).take_roots();
   const auto is_within_any = [&](const CleanLine& line) {
     return std::ranges::any_of(lines, [&](const CleanLine& other) {
-      return other.closed &&
+      return &other != &line && other.closed &&
              std::ranges::all_of(line.points, [&](const Vec2& point) { return encloses(other, point); });
     });
   };
+  std::vector<Eigen::AlignedBox2d> boxes(lines.size());
+  for (Index i = 0; i < lines.size(); ++i) {
+    for (const Vec2& point : lines[i].points) boxes[i].extend(point);
+  }
   for (Index a = 0; a < lines.size(); ++a) {
     CleanLine& line = lines[a];
     if (!line.closed || line.tube || std::ranges::count(thing, thing[a]) > 1 || is_within_any(line)) continue;
     Contact nearest;
     for (Index b = 0; b < lines.size(); ++b) {
       if (b == a || lines[b].tube || lines[b].size < line.size) continue;
-      const Contact contact = contact_between(line, lines[b], scale.reach(lines[b].size));
+      const double reach = scale.reach(lines[b].size);
+      if (boxes[a].exteriorDistance(boxes[b]) > reach) continue;
+      const Contact contact = contact_between(line, lines[b], reach);
       if (contact.distance < nearest.distance) nearest = contact;
     }
     if (std::isfinite(nearest.distance)) lead(line, nearest);
