@@ -60,6 +60,7 @@ inline constexpr double tube_size = 4;    ///< times its size in parts of the dr
 inline constexpr double tube_apart = 4;   ///< it hangs on nothing
 inline constexpr double tube_inside = 5;  ///< times the share of it that doesn't lie outside
 inline constexpr double ignored = 4.5;
+inline constexpr double ignored_hanging = 1;    ///< it touches what touches an outline
 inline constexpr double ignored_length = 20;    ///< times its share of all lines' length
 inline constexpr double outline_left_out = 30;  ///< times the share of the drawing's outline that it makes
 inline constexpr double outline_as_tube = 9;    ///< the same of tubes

@@ -149,7 +149,7 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
       return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
              costs::tube_size * size + (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
     case LineKind::Ignored:
-      return costs::ignored + costs::outline_left_out * seen +
+      return costs::ignored + costs::outline_left_out * seen + (hanging_[stroke] != 0 ? costs::ignored_hanging : 0) +
              costs::ignored_length * share_in(line.length, total_length_);
   }
   return 0;
