@@ -32,7 +32,7 @@ constexpr double negligible_gap = 3;
 // A stroke that closes itself may lack so much of its length.
 constexpr double farthest_closing = 0.3;
 // Two strokes that make an outline together may lack so much of the length of the shorter one.
-constexpr double farthest_opening = 0.4;
+constexpr double farthest_opening = 1.0 / 3;
 // Ends of two strokes may be apart by so much of what hands miss by, and always by so much of the drawing (1000 u).
 constexpr double farthest_gap = 2.5;
 constexpr double least_farthest_gap = 50;
