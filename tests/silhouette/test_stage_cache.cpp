@@ -221,6 +221,8 @@ TEST_CASE(
     label_keys.insert(label_key(with(&Options::completion, changed)));
     ++label_count;
   }
+  label_keys.insert(label_key(with(&Options::attach_suggested, true)));  // it leads lines into their neighbours
+  ++label_count;
   for (const DepthOptions& changed : test::changes_of(DepthOptions())) {
     solid_keys.insert(solid_key(with(&Options::depth, changed)));
     ++solid_count;

@@ -21,7 +21,7 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
   StageKey key;
   if (options.cache != nullptr) {
     add_drawing(drawing, key);
-    key.add(options.strokes).add(options.completion);
+    key.add(options.strokes).add(options.completion).add(options.attach_suggested);
   }
   const auto labelled = cached<LabelledDrawing>(
       options.cache, "silhouette labels", key, [&] { return label_anew(drawing, options, progress); },
