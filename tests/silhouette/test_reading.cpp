@@ -426,6 +426,17 @@ TEST_CASE("a dot on a surface is a detail, and one beside it is left out by name
   CHECK(drawing.strokes[solid.lines.front().stroke].id == "eye");
 }
 
+TEST_CASE("a dot is named though nothing else of its drawing can be read") {
+  Drawing drawing;
+  drawing.strokes.push_back(stroke_of("line", {{0, 0}, {100, 0}, {400, 0}}));
+  drawing.strokes.back().data["kind"] = "detail";
+  drawing.strokes.push_back(stroke_of("speck", {{200, 50}, {201, 51}, {202, 50}}));
+  const Findings findings = findings_of(drawing);
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0].code == "W_TINY");
+  CHECK(findings[1].severity == Severity::Error);
+}
+
 TEST_CASE("a few spots on a body are parts of it, many are its pattern") {
   for (const auto& [count, kind] : {std::pair(3, StrokeKind::Blob), std::pair(12, StrokeKind::Detail)}) {
     Drawing drawing;

@@ -14,6 +14,7 @@
 #include "algorithms/silhouette/figure/nested_outlines.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/reading/tube_outlines.h"
+#include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/told_hidden.h"
@@ -197,15 +198,8 @@ Findings covered_lines(const Drawing& drawing, const LabelledDrawing& labelled) 
 
 bool is_on_surface(const LabelledDrawing& labelled, const Vec2& place) {
   return std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
-    const PlanarTriangulation& plane = figure.triangulation;
-    for (std::size_t t = 0; t < plane.triangles.size(); ++t) {
-      const auto& [a, b, c] = plane.triangles[t];
-      const auto is_left = [&](Index from, Index to) {
-        return orientation(figure.points[from], figure.points[to], place) >= 0;
-      };
-      if (figure.layers[t] > 0 && is_left(a, b) && is_left(b, c) && is_left(c, a)) return true;
-    }
-    return false;
+    const Index triangle = PlanarWalk(figure.points, figure.triangulation).locate(place);
+    return triangle != no_index && figure.layers[triangle] > 0;
   });
 }
 
@@ -380,13 +374,14 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
       // What fails again and again isn't saved by other connections.
       program.exclude(*reading, strokes, ++failed[strokes] <= most_connections);
     }
-    if (!first) first = std::move(labelled);
-    if (options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
+    if (!first && has_errors(labelled.findings)) first = std::move(labelled);
+    if (first && options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
   }
   if (with_losses) return *std::move(with_losses);
   if (first) return *std::move(first);
   LabelledDrawing nothing;
   nothing.findings = material.sampled.findings;
+  add_dots(material, nothing);
   for (const Index s : program.contradictions()) {
     const Index stroke = material.sampled.strokes[s].stroke;
     nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
