@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
+#include "croquis/io/file.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "fuzz/perspective_property.h"
 #include "support/perspective/solid_drawing.h"
@@ -357,4 +359,17 @@ TEST_CASE("perspective drawings: damaged files are refused or read, and nothing 
       CHECK(broken_perspective(damaged) == "");
     }
   }
+}
+
+TEST_CASE("perspective drawings: inputs that once broke their reader stay harmless") {
+  std::size_t replayed = 0;
+  for (const char* folder : {"regressions", "corpus"}) {
+    const auto inputs = std::filesystem::path(CROQUIS_FUZZ_FOLDER) / folder / "perspective";
+    for (const auto& entry : std::filesystem::directory_iterator(inputs)) {
+      INFO(entry.path());
+      CHECK(broken_perspective(read_file(entry.path().string())) == "");
+      ++replayed;
+    }
+  }
+  CHECK(replayed >= 4);
 }
