@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -7,6 +9,7 @@
 
 #include "algorithms/silhouette/figure/arrangement.h"
 #include "algorithms/silhouette/figure/arrangement_faces.h"
+#include "algorithms/silhouette/figure/labelling.h"
 #include "algorithms/silhouette/figure/paneling.h"
 #include "support/random.h"
 
@@ -121,4 +124,33 @@ TEST_CASE("turning numbers count the turns of a loop") {
   }
   CHECK(turning_number(eight) == 0);
   CHECK(turning_number(twice) == 2);
+}
+
+TEST_CASE("blame is found exactly where there is no labelling") {
+  test::Random random(11);
+  int possible = 0, impossible = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<ContourPath> paths;
+    std::vector<int> sides;
+    for (int i = 0; i < 3; ++i) {
+      paths.push_back(closed_path(circle({random.between(-40, 40), random.between(-40, 40)}, random.between(30, 60))));
+      sides.push_back(random.below(8) == 0 ? -1 : 1);
+    }
+    Arrangement made = cross_contours(paths, {}, 5, 0.15);
+    for (ContourCrossing& crossing : made.crossings) {
+      using Over = ContourCrossing::Over;
+      crossing.over = std::array{Over::A, Over::A, Over::B, Over::Unknown}[random.below(4)];
+    }
+    if (random.below(3) > 0) std::ranges::fill(made.may_be_covered, std::uint8_t{1});
+    const FacesResult found = find_faces(made);
+    if (!found.conflicts.empty()) continue;
+    const Labelling full = label_arrangement(made, sides, found.faces, LabellingRules::Full);
+    const Labelling blamed = label_arrangement(made, sides, found.faces, LabellingRules::Blame);
+    const bool any = !blamed.wrong_arcs.empty() || !blamed.wrong_crossings.empty() || !blamed.wrong_faces.empty();
+    INFO("round " << round);
+    REQUIRE(blamed.side.size() == paths.size());
+    CHECK(any == (full.status == IntegerProgram::Status::Infeasible));
+    ++(any ? impossible : possible);
+  }
+  CHECK(std::min(possible, impossible) >= 8);
 }

@@ -95,6 +95,15 @@ TEST_CASE("outlines are closed that miss themselves by up to 5 % of their length
   }
 }
 
+TEST_CASE("an outline that goes once more over its beginning is closed where it began") {
+  for (const double share : {1.08, 1.15, 1.3, 1.45}) {
+    for (const double aside : {-0.003, 0.0, 0.003}) {
+      INFO("drawn over " << share << ", aside by " << aside);
+      CHECK(read_as_meant(of({loop({0, 0}, 300, share, aside)}), circle_sketch().truth));
+    }
+  }
+}
+
 TEST_CASE("an outline that lacks up to a third is closed with a word, half of one is a limb") {
   const auto read = [](double share) {
     return label_quietly(of({loop({0, 0}, 300, share, 0)}), Options::of(Preset::Tablet));
@@ -121,6 +130,10 @@ TEST_CASE("drawings whose ends miss, whose loops stay open, or that are in piece
   pieces.pieces = 4;
   pieces.piece_gap = 0.015;
   CHECK(percent_read(pieces, 9201) >= 90);
+  HandOptions retraced;
+  retraced.pieces = 2;
+  retraced.retrace = 0.15;
+  CHECK(percent_read(retraced, 9251) >= 85);
 }
 
 TEST_CASE("drawings of a trembling hand are read as they were meant") {

@@ -452,3 +452,41 @@ TEST_CASE("a few spots on a body are parts of it, many are its pattern") {
     CHECK(std::ranges::count(labelled.kinds, kind) == count);
   }
 }
+
+TEST_CASE("an animal of sticks alone is a solid, and a letter beside it is none") {
+  for (const double gap : {0.0, 4.0}) {
+    Drawing drawing;
+    const auto add = [&](const char* id, const std::vector<Vec2>& points) {
+      drawing.strokes.push_back(stroke_of(id, points));
+    };
+    add("tube-back", {{0, 0}, {100, 3}, {200, 0}});
+    add("tube-fore", {{6, -gap}, {2, -50}, {5, -95}});
+    add("tube-hind", {{192, -gap}, {195, -50}, {190, -95}});
+    add("tube-neck", {{200 + gap, 0}, {215, 30}, {235, 60}});
+    add("ignored-letter", {{20, 120}, {20, 100}, {30, 100}});
+    const LabelledDrawing labelled = read(drawing);
+    INFO("gap " << gap);
+    CHECK_FALSE(has_errors(labelled.findings));
+    CHECK(labelled.figures.size() == 1);
+    for (const auto& [id, kind] : kinds_by_id(drawing, labelled)) CHECK(id.starts_with(to_string(kind)));
+  }
+}
+
+TEST_CASE("two lines within an outline that leave a wide gap are drawn on it") {
+  for (const double apart : {40.0, 70.0}) {
+    Drawing drawing;
+    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+    for (const double side : {1.0, -1.0}) {
+      std::vector<Vec2> points;
+      for (int i = 0; i <= 40; ++i) {
+        const double x = i / 40.0;  // nearer to one another on the right
+        points.emplace_back(-120 + 240 * x, side * apart * (0.5 - 0.25 * x) + 6 * std::abs(std::sin(9 * x)));
+      }
+      drawing.strokes.push_back(stroke_of(side > 0 ? "upper" : "lower", points));
+    }
+    const LabelledDrawing labelled = read(drawing);
+    INFO("apart by " << apart);
+    CHECK_FALSE(has_errors(labelled.findings));
+    CHECK(std::ranges::count(labelled.kinds, StrokeKind::Detail) == 2);
+  }
+}

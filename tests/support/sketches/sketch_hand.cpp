@@ -85,6 +85,30 @@ Points almost_closed(const Points& loop, Random& random, const HandOptions& opti
   return drifting;
 }
 
+/// Pieces of which each goes back over the one before first; the last one of a closed path runs on over the first.
+std::vector<DrawnPath> retraced(const DrawnPath& path, Random& random, int pieces, double size, double most) {
+  constexpr double unsteadiness = 0.002;
+  constexpr double least_share = 0.4;  // of the most that it goes back
+  Points open = path.points;
+  if (path.closed) {
+    open.insert(open.end(), path.points.begin(), path.points.end());
+    open.push_back(path.points.front());
+  }
+  const double length = path_length(open) / (path.closed ? 2 : 1);
+  std::vector<DrawnPath> result;
+  double end = 0;
+  for (int i = 0; i < pieces; ++i) {
+    const double back = random.between(least_share, 1) * most * length;
+    const double begin = std::max(0.0, end - back);
+    end = (i + 1 < pieces ? i + 1 + random.between(-0.2, 0.2) : pieces) * length / pieces;
+    const double over = i + 1 == pieces && path.closed ? back : 0;
+    DrawnPath piece{path_part(open, begin, end + over), false};
+    piece.points = wobbled_path(piece, random, unsteadiness * size, 0.2 * size);
+    result.push_back(std::move(piece));
+  }
+  return result;
+}
+
 /// A path in pieces, none shorter than a tenth of it.
 std::vector<DrawnPath> cut(const DrawnPath& path, Random& random, int pieces, double gap) {
   Points open = path.points;
@@ -117,6 +141,7 @@ std::vector<DrawnPath> draw(const Stroke& stroke, double size, Random& random, c
   }
   if (options.pieces < 2) return {path};
   const int pieces = 2 + static_cast<int>(random.below(static_cast<std::uint32_t>(options.pieces - 1)));
+  if (options.retrace > 0) return retraced(path, random, pieces, size, options.retrace);
   return cut(path, random, pieces, options.piece_gap * size);
 }
 
@@ -156,7 +181,8 @@ std::vector<HandVariation> hand_variations() {
       variation("ends missed by 4 %", [](HandOptions& hand) { hand.end_miss = 0.04; }),
       variation("loops not closed", [](HandOptions& hand) { hand.closing = 0.05, hand.aside = 0.03; }),
       variation("pieces", [](HandOptions& hand) { hand.pieces = 4, hand.piece_gap = 0.015; }),
-      variation("all at once", [](HandOptions& hand) { hand = {0.007, 0.2, 0.015, 0.02, 0.01, 2, 0.01, true}; })};
+      variation("retraced", [](HandOptions& hand) { hand.pieces = 2, hand.retrace = 0.15; }),
+      variation("all at once", [](HandOptions& hand) { hand = {0.007, 0.2, 0.015, 0.02, 0.01, 2, 0.01, true, 0}; })};
 }
 
 std::vector<NamedSketch> hand_sketches() {

@@ -19,6 +19,7 @@ struct HandOptions {
   int pieces = 1;           ///< open strokes are cut into up to so many, closed ones too
   double piece_gap = 0;     ///< the most by which pieces stop short of each other or run past each other
   bool turned = false;      ///< the whole drawing by a random angle
+  double retrace = 0;       ///< of a line's length: how far back at most a piece begins over the one before, unsteadily
 };
 
 /// The sketch as somebody draws it who means the same. Closed strokes are given open when `closing` or `aside` are

@@ -65,21 +65,40 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
 }
 
 Finding no_labelling(const FigureContext& context, const PartLines& part, const Arrangement& arrangement,
-                     const Labelling& relaxed) {
-  if (relaxed.wrong_arcs.empty()) {
-    return no_solid("the lines that stop at others contradict one another", all_strokes(context, part));
-  }
-  std::string faults;
+                     const Faces& faces, const Labelling& relaxed) {
+  constexpr int most_told = 3;
+  std::vector<std::string> faults;
   std::vector<Subject> subjects;
+  const auto blame = [&](Index contour, Index segment) {
+    const CrossedContour& crossed = arrangement.contours[contour];
+    const auto count = static_cast<Index>(crossed.stroke.size());
+    const Index stroke = crossed.stroke[segment % count];
+    subjects.push_back(stroke_subject(context.drawing, stroke, arrangement.points[crossed.vertices[segment % count]]));
+    return in_quotes(context.drawing, stroke);
+  };
   for (const Index wrong : relaxed.wrong_arcs) {
     const FigureArc& arc = arrangement.arcs[wrong];
-    const CrossedContour& contour = arrangement.contours[arc.contour];
-    const Index middle = (arc.begin + arc.count / 2) % static_cast<Index>(contour.vertices.size());
-    const Vec2 at = arrangement.points[contour.vertices[middle]];
-    subjects.push_back(stroke_subject(context.drawing, contour.stroke[middle], at));
-    if (subjects.size() <= 3) faults += (faults.empty() ? "" : ", and ") + fault_of(context, arrangement, arc);
+    blame(arc.contour, arc.begin + arc.count / 2);
+    faults.push_back(fault_of(context, arrangement, arc));
   }
-  return no_solid(faults, std::move(subjects));
+  for (const Index wrong : relaxed.wrong_crossings) {
+    const ContourCrossing& crossing = arrangement.crossings[wrong];
+    const std::string a = blame(crossing.contour_a, crossing.position_a);
+    faults.push_back(a + " and " + blame(crossing.contour_b, crossing.position_b) + " contradict one another");
+  }
+  for (const Index wrong : relaxed.wrong_faces) {
+    for (Index e = 0; e < arrangement.arcs.size(); ++e) {
+      const FigureArc& arc = arrangement.arcs[e];
+      const bool beyond = relaxed.side[arc.contour] > 0 ? faces.right[e] == wrong : faces.left[e] == wrong;
+      if (!beyond) continue;
+      faults.push_back(blame(arc.contour, arc.begin + arc.count / 2) + " would be the edge of nothing");
+    }
+  }
+  if (faults.empty())
+    return no_solid("the lines that stop at others contradict one another", all_strokes(context, part));
+  std::string told;
+  for (std::size_t i = 0; i < faults.size() && i < most_told; ++i) told += (i > 0 ? ", and " : "") + faults[i];
+  return no_solid(told, std::move(subjects));
 }
 
 Finding contours_touch(const FigureContext& context, const PartLines& part, const Vec2& at) {

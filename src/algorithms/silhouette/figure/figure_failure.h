@@ -11,9 +11,9 @@ namespace croquis::silhouette {
 /// E_NO_LABELLING for lines whose hidden ends can't all be paired, naming those that are left.
 Finding ends_without_partner(const FigureContext& context, const PartLines& part);
 
-/// E_NO_LABELLING naming the arcs that a labelling with slack had to break.
+/// E_NO_LABELLING naming the lines of which a labelling with slack had to break a rule.
 Finding no_labelling(const FigureContext& context, const PartLines& part, const Arrangement& arrangement,
-                     const Labelling& relaxed);
+                     const Faces& faces, const Labelling& relaxed);
 
 /// E_TOUCH at a place where contours meet in a way that no change of the completions resolves.
 Finding contours_touch(const FigureContext& context, const PartLines& part, const Vec2& at);

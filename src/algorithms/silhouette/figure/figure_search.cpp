@@ -223,9 +223,9 @@ class Search {
     if (!trial.conflicts.empty()) return contours_touch(context_, part_, trial.conflicts.front());
     Labelling relaxed;
     if (trial.usable) {
-      relaxed = label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Slack);
+      relaxed = label_arrangement(trial.arrangement, trial.sides, trial.faces, LabellingRules::Blame);
     }
-    return no_labelling(context_, part_, trial.arrangement, relaxed);
+    return no_labelling(context_, part_, trial.arrangement, trial.faces, relaxed);
   }
 
   const FigureContext& context_;

@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace croquis::silhouette {
 namespace {
 
 // Deepest label that is looked for; also the "big M" that switches the rules of a crossing.
 constexpr double deepest = 12;
-// One wrong arc costs more than any number of hidden surfaces.
+// One wrong arc costs more than any number of hidden surfaces, and a wrong crossing or face more than one of its arcs.
 constexpr double slack_cost = 1000;
+constexpr double rule_cost = 2500;
 // Area decides only between labellings of equal depth.
 constexpr double area_cost = 0.01;
 // Drawings need a handful of nodes; this bounds the rest.
 constexpr int maximum_nodes = 5000;
+// Any rule that can be broken explains something.
+constexpr int maximum_blaming_nodes = 40;
 
 using Term = IntegerProgram::Term;
 
@@ -30,7 +34,8 @@ class Program {
   }
 
   Labelling solve() const {
-    const IntegerProgram::Solution solution = program_.solve(maximum_nodes);
+    const IntegerProgram::Solution solution =
+        program_.solve(rules_ == LabellingRules::Blame ? maximum_blaming_nodes : maximum_nodes);
     Labelling result;
     result.status = solution.status;
     if (solution.values.empty()) return result;
@@ -39,6 +44,12 @@ class Program {
     for (const Index x : over_) result.a_is_over.push_back(solution.values[x] != 0 ? 1 : 0);
     for (Index arc = 0; arc < slack_.size(); ++arc) {
       if (slack_[arc] != no_index && solution.values[slack_[arc]] > 0) result.wrong_arcs.push_back(arc);
+    }
+    for (const auto& [slack, crossing] : crossing_slack_) {
+      if (solution.values[slack] > 0) result.wrong_crossings.push_back(crossing);
+    }
+    for (Index face = 0; face < face_slack_.size(); ++face) {
+      if (solution.values[face_slack_[face]] > 0) result.wrong_faces.push_back(face);
     }
     return result;
   }
@@ -49,7 +60,7 @@ class Program {
     for (Index e = 0; e < arrangement_.arcs.size(); ++e) {
       const FigureArc& arc = arrangement_.arcs[e];
       const bool is_known = arrangement_.may_be_covered[e] == 0;
-      const bool strict = is_known && rules_ != LabellingRules::Slack;
+      const bool strict = is_known && rules_ != LabellingRules::Slack && rules_ != LabellingRules::Blame;
       const double least = strict && !arc.visible ? 1 : 0;
       const double most = strict && arc.visible ? 0 : deepest;
       const Index n = program_.add_variable(least, most, 1);
@@ -89,12 +100,22 @@ class Program {
       const Around& lower = a_over ? b : a;
       const Index o = orientation_[a_over ? k.contour_a : k.contour_b];
       const double turn = a_over ? s : -s;
-      program_.add_row({{lower.after, 1}, {lower.before, -1}, {o, -2 * turn}}, -turn, -turn);
-      program_.add_row({{upper.after, 1}, {upper.before, -1}}, 0, 0);
+      add_step({{lower.after, 1}, {lower.before, -1}, {o, -2 * turn}}, -turn);
+      add_step({{upper.after, 1}, {upper.before, -1}}, 0);
       add_order(upper, lower, x, a_over ? Known::XIsOne : Known::XIsZero);
       return;
     }
     add_free_crossing(a, b, x, s, orientation_[k.contour_a], orientation_[k.contour_b]);
+  }
+
+  /// How a depth changes at the latest crossing.
+  void add_step(std::vector<Term> terms, double change) {
+    for (int sign = 1; rules_ == LabellingRules::Blame && sign >= -1; sign -= 2) {
+      const Index slack = program_.add_variable(0, deepest, rule_cost);
+      terms.push_back({slack, static_cast<double>(sign)});
+      crossing_slack_.emplace_back(slack, static_cast<Index>(over_.size()) - 1);
+    }
+    program_.add_row(std::move(terms), change, change);
   }
 
   struct Around {
@@ -115,8 +136,8 @@ class Program {
     program_.add_row({{v, 1}, {x, 1}}, -any, 1);
     program_.add_row({{v, 1}, {o_b, -1}}, -any, 0);
     program_.add_row({{v, 1}, {x, 1}, {o_b, -1}}, 0, any);
-    program_.add_row({{b.after, 1}, {b.before, -1}, {y, -2 * s}, {x, s}}, 0, 0);
-    program_.add_row({{a.after, 1}, {a.before, -1}, {v, 2 * s}, {x, s}}, s, s);
+    add_step({{b.after, 1}, {b.before, -1}, {y, -2 * s}, {x, s}}, 0);
+    add_step({{a.after, 1}, {a.before, -1}, {v, 2 * s}, {x, s}}, s);
     add_order(a, b, x, Known::No);
     add_order(b, a, x, Known::No, true);
   }
@@ -139,15 +160,19 @@ class Program {
   /// (a) and (b).
   void add_layer_rules() {
     constexpr double any = IntegerProgram::unbounded;
-    for (std::size_t f = 0; f < faces_.winding.size(); ++f) {
+    const auto add_layers = [&](Index face, double factor, std::vector<Term>& terms) {
+      if (rules_ == LabellingRules::Blame) terms.push_back({face_slack_[face], factor / 2});
+      return add_windings(faces_.winding[face], factor, terms);
+    };
+    for (Index f = 0; f < faces_.winding.size(); ++f) {
+      if (rules_ == LabellingRules::Blame) face_slack_.push_back(program_.add_variable(0, deepest, rule_cost));
       std::vector<Term> terms;
-      const double turns = add_windings(faces_.winding[f], 2, terms);
+      const double turns = add_layers(f, 2, terms);
       if (!terms.empty()) program_.add_row(std::move(terms), turns, any);
     }
     for (Index arc = 0; arc < arrangement_.arcs.size(); ++arc) {
       std::vector<Term> terms{{depth_[arc], 2}};
-      const double turns = add_windings(faces_.winding[faces_.left[arc]], -2, terms) +
-                           add_windings(faces_.winding[faces_.right[arc]], -2, terms);
+      const double turns = add_layers(faces_.left[arc], -2, terms) + add_layers(faces_.right[arc], -2, terms);
       program_.add_row(std::move(terms), -any, -turns - 1);
     }
   }
@@ -168,10 +193,12 @@ class Program {
   LabellingRules rules_;
   ArcEnds ends_;
   IntegerProgram program_;
-  std::vector<Index> depth_;        ///< variables, per arc
-  std::vector<Index> orientation_;  ///< per contour
-  std::vector<Index> over_;         ///< per crossing
-  std::vector<Index> slack_;        ///< per arc, no_index where it can't break a rule
+  std::vector<Index> depth_;                             ///< variables, per arc
+  std::vector<Index> orientation_;                       ///< per contour
+  std::vector<Index> over_;                              ///< per crossing
+  std::vector<Index> slack_;                             ///< per arc, no_index where it can't break a rule
+  std::vector<Index> face_slack_;                        ///< per face, with slack
+  std::vector<std::pair<Index, Index>> crossing_slack_;  ///< variables and their crossings
 };
 
 }  // namespace

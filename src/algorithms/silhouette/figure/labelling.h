@@ -15,15 +15,18 @@ struct Labelling {
   std::vector<int> depth;               ///< per arc: n, surfaces in front of it
   std::vector<int> side;                ///< per contour: surface on its left (+1) or right (-1)
   std::vector<std::uint8_t> a_is_over;  ///< per crossing
-  std::vector<Index>
-      wrong_arcs;  ///< with slack: arcs that would have to be hidden in the open, or visible though covered
+  // With slack and blame:
+  std::vector<Index> wrong_arcs;       ///< would have to be hidden in the open, or visible though covered
+  std::vector<Index> wrong_crossings;  ///< depths don't change as they must
+  std::vector<Index> wrong_faces;      ///< have less than no surface
 };
 
 /// How strictly to label.
 enum class LabellingRules {
   Local,  ///< the rules at crossings alone: needs no faces and refuses most wrong matchings at once
   Full,   ///< the number of layers in every face too
-  Slack   ///< all, but arcs may break the rule of what is seen, at a price
+  Slack,  ///< all, but arcs may break the rule of what is seen, at a price
+  Blame   ///< as above, and every other rule may be broken at a higher price: there is always a solution
 };
 
 /// Labels by integer programming (Williams 1994; Cordier, Seo, Cho 2006, section 3). For arcs e, contours c, crossings

@@ -23,6 +23,7 @@ inline constexpr double turn = 1.9;             ///< times 1 - cosine of the tur
 inline constexpr double turn_of_closing = 1.9;  ///< the same where a stroke closes itself: it may have a corner
 inline constexpr double line_between = 1.5;     ///< another line crosses the gap
 inline constexpr double line_at_gap = 1.5;      ///< each end that lies on a line, times the gap in what hands miss by
+inline constexpr double opening_within = 1;     ///< a gap that hands don't leave, of what lies within everything
 inline constexpr double chance_meeting = 0.7;   ///< an end lies on a line when passing behind it would cost less
 inline constexpr double overshoot = 0.3;        ///< both run on beyond the place where they meet
 
@@ -69,6 +70,6 @@ inline constexpr double outline_as_tube = 9;    ///< the same of tubes
 inline constexpr double region = 12;
 inline constexpr double stroke_of_region = 2;  ///< each stroke that it consists of
 inline constexpr double rest_of_stroke = 2;    ///< times the share of the stroke that isn't on it
-inline constexpr double lost_of_stroke = 10;   ///< times the share of it that lies outside everything: it would be lost
+inline constexpr double lost_of_stroke = 16;   ///< times the share of it that lies outside everything: it would be lost
 
 }  // namespace croquis::silhouette::costs

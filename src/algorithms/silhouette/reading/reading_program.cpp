@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/silhouette/reading/reading_costs.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
@@ -69,35 +70,28 @@ ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const 
       crossings_[smaller] += costs::crossing * std::min(crossing.count, costs::most_crossings);
     }
   }
-  hanging_ = hanging_on_regions();
+  hanging_ = hanging();
   add_strokes();
   add_regions();
   add_connections();
 }
 
-/// Per stroke: whether strokes that touch lead from it to a region.
-std::vector<char> ReadingProgram::hanging_on_regions() const {
-  std::vector<std::vector<Index>> touching(strokes_.size());
-  const auto touch = [&](Index a, Index b) {
-    touching[a].push_back(b);
-    touching[b].push_back(a);
-  };
-  for (const StrokeCrossing& crossing : connections_.crossings) touch(crossing.a, crossing.b);
-  for (const EndMeeting& meeting : connections_.meetings) touch(connections_.ends[meeting.end].stroke, meeting.bar);
+/// Per stroke how much of the drawing's length the strokes that touch one another up to it are, 0..1: all of it where
+/// one of them lies on the outline of a region, or they are half of the drawing, such as a man of sticks.
+std::vector<double> ReadingProgram::hanging() const {
+  DisjointSets things(strokes_.size());
+  for (const StrokeCrossing& crossing : connections_.crossings) things.unite(crossing.a, crossing.b);
+  for (const EndMeeting& meeting : connections_.meetings)
+    things.unite(connections_.ends[meeting.end].stroke, meeting.bar);
   for (const EndJoin& join : connections_.joins) {
-    if (join.gap < 1) touch(connections_.ends[join.a].stroke, connections_.ends[join.b].stroke);
+    if (join.gap < 1) things.unite(connections_.ends[join.a].stroke, connections_.ends[join.b].stroke);
   }
-  std::vector<char> hanging(strokes_.size(), 0);
-  std::vector<Index> open;
+  std::vector<double> share(strokes_.size(), 0), hanging;
   for (Index s = 0; s < strokes_.size(); ++s) {
-    if (std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); }))
-      open.push_back(s);
+    const bool on_any = std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); });
+    share[things.root(s)] += on_any ? 1 : 2 * share_in(strokes_[s].length, total_length_);
   }
-  while (!open.empty()) {
-    const Index s = open.back();
-    open.pop_back();
-    if (std::exchange(hanging[s], 1) == 0) open.insert(open.end(), touching[s].begin(), touching[s].end());
-  }
+  for (Index s = 0; s < strokes_.size(); ++s) hanging.push_back(std::min(1.0, share[things.root(s)]));
   return hanging;
 }
 
@@ -105,11 +99,14 @@ bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
   return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
 }
 
+bool ReadingProgram::is_within(Index stroke) const {
+  return envelope_.seen[stroke] == 0 && envelope_.outside[stroke] == 0;
+}
+
 /// How much a stroke is one of many curls or spots within everything, 0..1. A face has four.
 double ReadingProgram::pattern(Index stroke) const {
   constexpr double alike = 2;
   constexpr double least = 4, most = 7;
-  const auto is_within = [&](Index s) { return envelope_.seen[s] == 0 && envelope_.outside[s] == 0; };
   if (!is_within(stroke)) return 0;
   int others = 0;
   for (Index s = 0; s < strokes_.size(); ++s) {
@@ -147,9 +144,9 @@ double ReadingProgram::cost(Index stroke, LineKind kind) const {
              costs::detail_outside * outside;
     case LineKind::Tube:
       return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
-             costs::tube_size * size + (hanging_[stroke] != 0 ? 0 : costs::tube_apart);
+             costs::tube_size * size + costs::tube_apart * (1 - hanging_[stroke]);
     case LineKind::Ignored:
-      return costs::ignored + costs::outline_left_out * seen + (hanging_[stroke] != 0 ? costs::ignored_hanging : 0) +
+      return costs::ignored + costs::outline_left_out * seen + costs::ignored_hanging * hanging_[stroke] +
              costs::ignored_length * share_in(line.length, total_length_);
   }
   return 0;
@@ -248,7 +245,9 @@ void ReadingProgram::add_connections() {
   for (const EndJoin& join : connections_.joins) {
     const Index stroke = connections_.ends[join.a].stroke;
     const bool closes = connections_.ends[join.b].stroke == stroke;
-    const Index taken = program_.add_variable(0, 1, join.cost + (closes ? cost_as_outline(stroke) : 0));
+    const bool opens_within = join.gap >= 1 && is_within(stroke) && is_within(connections_.ends[join.b].stroke);
+    const Index taken = program_.add_variable(
+        0, 1, join.cost + (closes ? cost_as_outline(stroke) : 0) + (opens_within ? costs::opening_within : 0));
     join_.push_back(taken);
     visible[join.a].push_back({taken, 1});
     visible[join.b].push_back({taken, 1});
@@ -357,7 +356,7 @@ std::vector<Index> ReadingProgram::contradictions() const {
 
 void ReadingProgram::forbid_loss(Index stroke) {
   program_.fix(variable(stroke, LineKind::Detail), 0);
-  const bool can_be_limb = !strokes_[stroke].closed && hanging_[stroke] != 0;
+  const bool can_be_limb = !strokes_[stroke].closed && hanging_[stroke] >= 1;
   if (can_be_limb) program_.fix(variable(stroke, LineKind::Ignored), 0);
 }
 

@@ -66,8 +66,9 @@ class ReadingProgram {
   static constexpr std::size_t kind_count = 5;
 
   Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
-  std::vector<char> hanging_on_regions() const;
+  std::vector<double> hanging() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
+  bool is_within(Index stroke) const;
   double pattern(Index stroke) const;
   double cost_as_outline(Index stroke) const;
   double cost(Index stroke, LineKind kind) const;
@@ -85,7 +86,7 @@ class ReadingProgram {
   double extent_ = 1;  ///< size of the largest
   double total_length_ = 1;
   std::vector<double> crossings_;  ///< per stroke: what they cost
-  std::vector<char> hanging_;      ///< per stroke
+  std::vector<double> hanging_;    ///< per stroke
   IntegerProgram program_;
   int nodes_ = 0;  ///< looked at by all searches
   std::vector<std::array<Index, kind_count>> kind_;

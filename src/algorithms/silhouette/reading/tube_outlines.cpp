@@ -43,10 +43,10 @@ bool is_inside(const Vec2& place, const std::vector<CleanLine>& contours) {
   return std::ranges::any_of(contours, [&](const CleanLine& line) { return line.closed && encloses(line, place); });
 }
 
-/// The nearest place on any contour.
+/// The nearest place on any contour, infinitely far where there is none.
 Vec2 nearest_on(const std::vector<CleanLine>& contours, const Vec2& place) {
-  Vec2 found = place;
   double least = std::numeric_limits<double>::infinity();
+  Vec2 found = Vec2::Constant(least);
   for (const CleanLine& line : contours) {
     for (const Vec2& point : line.points) {
       if ((point - place).norm() >= least) continue;

@@ -13,4 +13,8 @@ namespace croquis::silhouette {
 /// outlines, such as the sides of a thin tube. O(n) for evenly spread samples.
 std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, const DrawingScale& scale);
 
+/// Cuts off what open strokes draw once more of other ones, or of their own beginning, before they go on alone: a pen
+/// often goes back a bit before a line goes on. Of two strokes the one drawn later is cut. O(n) as above.
+void cut_retraced_ends(std::vector<SampledStroke>& strokes, const DrawingScale& scale);
+
 }  // namespace croquis::silhouette

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/silhouette/strokes/doubled_strokes.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/exactness.h"
 #include "algorithms/silhouette/strokes/stroke_chains.h"
@@ -191,6 +192,7 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   }
   check_extent(drawing, usable, result.scale.step, result.findings);
   result.strokes = sample(drawing, usable, result.scale.step / 2);
+  cut_retraced_ends(result.strokes, result.scale);
   result.smoothing_passes = options.smoothing_passes;
   if (!options.adapts) return result;
   const StrokeOptions exact = Options::of(Preset::Clean).strokes;
