@@ -41,9 +41,6 @@ function(croquis_test name)
   target_link_libraries(test_${name} PRIVATE Catch2::Catch2WithMain ${arg_USES} ${arg_THIRD_PARTY})
   croquis_test_program(test_${name})
   target_precompile_headers(test_${name} REUSE_FROM croquis_test_headers)
-  set(timeout 120)
-  if(CROQUIS_SANITIZE)  # everything takes up to twenty times as long
-    set(timeout 600)
-  endif()
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}: " PROPERTIES TIMEOUT ${timeout})
+  # Sanitizers and the large counts of a full run take up to twenty times as long as usual.
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}: " PROPERTIES TIMEOUT 600)
 endfunction()

@@ -48,6 +48,15 @@ Drawing in_full(const SketchTruth& truth) {
   return drawing;
 }
 
+bool any_within_another(const SketchTruth& truth) {
+  return std::ranges::any_of(truth.outlines, [&](const TrueContour& inner) {
+    return std::ranges::any_of(truth.outlines, [&](const TrueContour& outer) {
+      return &inner != &outer &&
+             std::ranges::all_of(inner.points, [&](const Vec2& place) { return winding(outer.points, place) != 0; });
+    });
+  });
+}
+
 std::vector<Vec2> ellipse(const Vec2& centre, double a, double b, double turn) {
   std::vector<Vec2> points;
   for (int i = 0; i < 160; ++i) {
@@ -108,9 +117,15 @@ using Overlaps = std::vector<std::pair<std::string, std::string>>;
 }  // namespace
 
 TEST_CASE("shapes drawn in full over one another lie in the order of drawing") {
-  for (int seed = 1; seed <= sample_count(12, 400); ++seed) {
+  const int count = sample_count(12, 400);
+  int nested = 0;
+  for (int seed = 1; seed <= count; ++seed) {
     INFO("seed " << seed);
     const Sketch sketch = random_layered_sketch(static_cast<std::uint64_t>(seed), 2 + seed % 11);
+    if (any_within_another(sketch.truth)) {  // may as well be a hole
+      ++nested;
+      continue;
+    }
     const Drawing drawing = in_full(sketch.truth);
     const LabelledDrawing labelled = label_in_view(drawing);
     CHECK(counts_of(labelled) == counts_of(sketch.truth));
@@ -124,6 +139,7 @@ TEST_CASE("shapes drawn in full over one another lie in the order of drawing") {
     CHECK(labelled.findings.size() == labelled.crossings.size());
     for (const Finding& finding : labelled.findings) CHECK(finding.code == "W_CROSS");
   }
+  CHECK(20 * nested <= count);
 }
 
 TEST_CASE("of two closed outlines that cross, the one in front is suggested to rest on the other") {
