@@ -22,6 +22,7 @@ std::vector<Subject> all_strokes(const FigureContext& context, const PartLines& 
     strokes.insert(context.lines[line].strokes.begin(), context.lines[line].strokes.end());
   }
   std::vector<Subject> subjects;
+  subjects.reserve(strokes.size());
   for (const Index stroke : strokes) subjects.push_back(stroke_subject(context.drawing, stroke));
   return subjects;
 }

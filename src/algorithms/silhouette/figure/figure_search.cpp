@@ -191,7 +191,8 @@ class Search {
   Trial arrange(const std::vector<ChosenCompletion>& chosen, bool quick_check) {
     Trial trial;
     for (int attempt = 0; attempt < 2 * (1 + maximum_perturbations); ++attempt) {
-      const double stretch = perturbation * static_cast<double>(attempt / 2);
+      const int perturbations = attempt / 2;
+      const double stretch = perturbation * perturbations;
       std::optional<ClosedContours> contours =
           close_contours(context_.lines, context_.junctions, part_, chosen, context_.scale.step, stretch);
       if (!contours) return trial;

@@ -147,7 +147,7 @@ class RetracedEnds {
     if (segment.position < begin || segment.position + 1 >= end + (strokes_[segment.line].closed ? 1 : 0)) return false;
     if (segment.line != s) return true;
     const Index apart = std::max(segment.position, i) - std::min(segment.position, i);
-    return 2 * apart > strokes_[s].points.size();
+    return apart > strokes_[s].points.size() / 2;
   }
 
   const std::vector<SampledStroke>& strokes_;
