@@ -78,14 +78,18 @@ class RetracedEnds {
   /// Begin and end of what is left of each stroke.
   std::vector<std::array<Index, 2>> run() {
     for (Index s = static_cast<Index>(strokes_.size()); s-- > 0;) {
-      const SampledStroke& stroke = strokes_[s];
-      if (stroke.closed || stroke.told != StrokeKind::Visible) continue;
+      if (strokes_[s].closed || !may_be_outline(strokes_[s].told)) continue;
       for (const bool at_start : {false, true}) cut(s, at_start);
     }
     return std::move(kept_);
   }
 
  private:
+  static bool may_be_outline(StrokeKind told) {
+    return told == StrokeKind::Visible || told == StrokeKind::Contour || told == StrokeKind::Part ||
+           told == StrokeKind::Blob || told == StrokeKind::Hole;
+  }
+
   void cut(Index s, bool at_start) {
     const Points& points = strokes_[s].points;
     const auto [begin, end] = kept_[s];
