@@ -189,7 +189,7 @@ TEST_CASE("heights that aren't exact enough are refused, also of a draft") {
 TEST_CASE("whatever is scrawled, no solid is deeper than its drawing explains, and hardly any is refused for it") {
   for (const test::Scrawl family : test::scrawl_families()) {
     Tally tally;
-    const int count = test::sample_count(4, 300);
+    const int count = test::sample_count(4, 80);
     for (int seed = 0; seed < count; ++seed) {
       INFO(test::to_string(family) << " " << seed);
       try_scrawl(test::random_scrawl(family, static_cast<std::uint64_t>(seed)), tally);
