@@ -88,8 +88,7 @@ std::vector<double> ReadingProgram::hanging() const {
   }
   std::vector<double> share(strokes_.size(), 0), hanging;
   for (Index s = 0; s < strokes_.size(); ++s) {
-    const bool on_any = std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); });
-    share[things.root(s)] += on_any ? 1 : 2 * share_in(strokes_[s].length, total_length_);
+    share[things.root(s)] += lies_on_any(s) ? 1 : 2 * share_in(strokes_[s].length, total_length_);
   }
   for (Index s = 0; s < strokes_.size(); ++s) hanging.push_back(std::min(1.0, share[things.root(s)]));
   return hanging;
@@ -97,6 +96,10 @@ std::vector<double> ReadingProgram::hanging() const {
 
 bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
   return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
+}
+
+bool ReadingProgram::lies_on_any(Index stroke) const {
+  return std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(stroke, region); });
 }
 
 bool ReadingProgram::is_within(Index stroke) const {
@@ -188,13 +191,12 @@ std::vector<double> ReadingProgram::least_contour_costs() const {
 void ReadingProgram::add_strokes() {
   const std::vector<double> least = least_contour_costs();
   for (Index s = 0; s < strokes_.size(); ++s) {
-    const bool on_any = std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(s, region); });
     std::array<Index, kind_count> kinds{};
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
       const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
-                            : kind == LineKind::Region          ? on_any
+                            : kind == LineKind::Region          ? lies_on_any(s)
                                                                 : kind != LineKind::Tube || !strokes_[s].closed;
       kinds[k] = program_.add_variable(0, possible && allowed(strokes_[s].told, kind) ? 1 : 0, cost(s, kind));
       one.push_back({kinds[k], 1});

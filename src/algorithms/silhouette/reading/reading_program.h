@@ -68,6 +68,7 @@ class ReadingProgram {
   Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
   std::vector<double> hanging() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
+  bool lies_on_any(Index stroke) const;
   bool is_within(Index stroke) const;
   double pattern(Index stroke) const;
   double cost_as_outline(Index stroke) const;
