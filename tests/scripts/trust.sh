@@ -19,6 +19,7 @@ for system in src/algorithms/*/; do
 done
 ! grep -q subdivision <<<"$paths" || fail "damaged cages are said not to depend on subdivision"
 ! scripts/test --full --paths counts | grep -q algorithms || fail "the tests are said not to depend on all systems"
+! scripts/test --full --paths no-such-stage 2>/dev/null || fail "a stage that does not exist has paths"
 
 mkdir -p "$folder"
 page=$folder/page.md
