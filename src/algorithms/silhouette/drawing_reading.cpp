@@ -275,22 +275,28 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   return result;
 }
 
-/// Per error the strokes that it is about, as positions among the sampled ones; none stands for all.
-std::vector<std::vector<Index>> faulty_strokes(const Material& material, const Findings& findings) {
-  std::vector<std::vector<Index>> faulty;
+/// What an error is about.
+struct Fault {
+  std::vector<Index> strokes;    ///< positions among the sampled ones; none stands for all
+  std::optional<Vec2> crossing;  ///< where lines cross or touch
+};
+
+std::vector<Fault> faults_of(const Material& material, const Findings& findings) {
+  std::vector<Fault> faults;
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::Error) continue;
-    faulty.emplace_back();
+    Fault& fault = faults.emplace_back();
     for (Index s = 0; s < material.sampled.strokes.size(); ++s) {
       const std::string& id = material.drawing.strokes[material.sampled.strokes[s].stroke].id;
-      const bool named = std::ranges::any_of(finding.subjects, [&](const Subject& subject) {
-        return subject.kind == SubjectKind::Stroke && subject.id == id;
-      });
-      if (named) faulty.back().push_back(s);
+      const auto subject = std::ranges::find_if(
+          finding.subjects, [&](const Subject& named) { return named.kind == SubjectKind::Stroke && named.id == id; });
+      if (subject == finding.subjects.end()) continue;
+      fault.strokes.push_back(s);
+      if (finding.code == "E_CROSS" && subject->at.size() == 2) fault.crossing = Vec2(subject->at[0], -subject->at[1]);
     }
   }
-  if (faulty.empty()) faulty.emplace_back();
-  return faulty;
+  if (faults.empty()) faults.emplace_back();
+  return faults;
 }
 
 /// Strokes taken for details of which much lies beside everything: there would be nothing of them.
@@ -370,7 +376,8 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
       if (!with_losses) with_losses = std::move(labelled);
       continue;
     }
-    for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
+    for (const auto& [strokes, crossing] : faults_of(material, labelled.findings)) {
+      if (crossing && program.exclude_crossing(*reading, strokes.front(), strokes.back(), *crossing)) continue;
       // What fails again and again isn't saved by other connections.
       program.exclude(*reading, strokes, ++failed[strokes] <= most_connections);
     }

@@ -28,6 +28,9 @@ constexpr double sided_share = 0.5;
 // A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
 constexpr double hopeless = 3;
 
+// An end that is cut off at a bar takes a crossing with it that lies within this share of what is cut off.
+constexpr double cut_share = 0.9;
+
 // A stroke lies on an outline that shares this much of the length of the shorter one.
 constexpr double least_shared = 0.04;
 
@@ -46,6 +49,16 @@ bool allowed(StrokeKind told, LineKind kind) {
     case StrokeKind::Ignored: return kind == LineKind::Ignored;
   }
   return true;
+}
+
+bool contains(const std::vector<EndJoin>& joins, const EndJoin& join) {
+  return std::ranges::any_of(joins, [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; });
+}
+
+bool contains(const std::vector<EndMeeting>& meetings, const EndMeeting& meeting) {
+  return std::ranges::any_of(meetings, [&](const EndMeeting& other) {
+    return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
+  });
 }
 
 double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0; }
@@ -327,19 +340,64 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   }
   for (std::size_t i = 0; connections && i < join_.size(); ++i) {
     const EndJoin& join = connections_.joins[i];
-    const auto is_this = [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; };
-    if (std::ranges::none_of(reading.joins, is_this)) continue;
+    if (!contains(reading.joins, join)) continue;
     if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[i]);
   }
   for (std::size_t i = 0; connections && i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
-    const auto is_this = [&](const EndMeeting& other) {
-      return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
-    };
-    if (std::ranges::none_of(reading.meetings, is_this)) continue;
+    if (!contains(reading.meetings, meeting)) continue;
     if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[i]);
   }
   program_.add_row(std::move(all), 0, count - 1);
+}
+
+/// A line has hidden ends when an end of one of its strokes meets a bar.
+void ReadingProgram::add_open_lines() {
+  for (Index s = 0; s < strokes_.size(); ++s) open_.push_back(program_.add_variable(0, 1, 0));
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    const Index open = open_[connections_.ends[connections_.meetings[i].end].stroke];
+    program_.add_row({{meeting_[i], 1}, {open, -1}}, -1, 0);
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    const Index a = open_[connections_.ends[connections_.joins[i].a].stroke];
+    const Index b = open_[connections_.ends[connections_.joins[i].b].stroke];
+    if (a == b) continue;
+    program_.add_row({{join_[i], 1}, {a, 1}, {b, -1}}, -1, 1);
+    program_.add_row({{join_[i], 1}, {b, 1}, {a, -1}}, -1, 1);
+  }
+}
+
+bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at) {
+  DisjointSets lines(strokes_.size());
+  const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
+  for (const EndJoin& join : reading.joins) lines.unite(stroke_of(join.a), stroke_of(join.b));
+  const auto is_open = [&](Index stroke) {
+    return reading.kinds[stroke] == LineKind::Contour &&
+           std::ranges::any_of(reading.meetings, [&](const auto& meeting) {
+             return lines.root(stroke_of(meeting.end)) == lines.root(stroke);
+           });
+  };
+  if (!is_open(a) || !is_open(b)) return false;
+  if (open_.empty()) add_open_lines();
+  std::vector<Term> terms{{variable(a, LineKind::Contour), 1}, {open_[a], 1}};
+  if (a != b) terms.insert(terms.end(), {{variable(b, LineKind::Contour), 1}, {open_[b], 1}});
+  const double most = static_cast<double>(terms.size()) - 1;
+  // Other connections may cut off the end that crosses.
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    const EndMeeting& meeting = connections_.meetings[i];
+    const Index stroke = stroke_of(meeting.end);
+    const bool cuts =
+        meeting.along < 0 && -meeting.along > cut_share * (connections_.ends[meeting.end].place - at).norm();
+    if ((stroke == a || stroke == b) && cuts && !contains(reading.meetings, meeting))
+      terms.push_back({meeting_[i], -1});
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    const EndJoin& join = connections_.joins[i];
+    const auto both = std::minmax(stroke_of(join.a), stroke_of(join.b));
+    if (both == std::minmax(a, b) && !contains(reading.joins, join)) terms.push_back({join_[i], -1});
+  }
+  program_.add_row(std::move(terms), -IntegerProgram::unbounded, most);
+  return true;
 }
 
 std::vector<Index> ReadingProgram::contradictions() const {

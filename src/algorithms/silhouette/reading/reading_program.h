@@ -26,7 +26,6 @@ struct Reading {
   std::vector<EndJoin> joins;        ///< of contours: each end is in one of these,
   std::vector<EndMeeting> meetings;  ///< or in one of those
   std::vector<Index> regions;        ///< positions in Envelope::regions
-  double cost = 0;
 };
 
 /// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k) = stroke s has kind k,
@@ -48,6 +47,11 @@ class ReadingProgram {
   /// @param strokes     positions; all when empty
   /// @param connections may change, else one of the strokes must get another kind
   void exclude(const Reading& reading, const std::vector<Index>& strokes, bool connections);
+
+  /// Two lines with hidden ends, or one, cross in full view as that reading has it: nothing says which is in front.
+  /// @param a, b positions, of the same stroke where one crosses itself
+  /// @return false when one of them is closed in that reading, and nothing was excluded
+  bool exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at);
 
   /// Only the outlines of regions may be contours.
   void allow_regions_only();
@@ -79,6 +83,7 @@ class ReadingProgram {
   void add_strokes();
   void add_regions();
   void add_connections();
+  void add_open_lines();
   void keep_side(Index variable, Index a, Index b);
 
   const std::vector<SampledStroke>& strokes_;
@@ -92,6 +97,7 @@ class ReadingProgram {
   int nodes_ = 0;  ///< looked at by all searches
   std::vector<std::array<Index, kind_count>> kind_;
   std::vector<Index> side_, region_, join_, meeting_, hidden_;
+  std::vector<Index> open_;  ///< per stroke: its line has hidden ends; empty until it matters
 };
 
 }  // namespace croquis::silhouette
