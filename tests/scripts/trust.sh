@@ -10,6 +10,16 @@ fail() { echo "$*" >&2; exit 1; }
 diff <(scripts/test --full --list) <(sed -n 's/^| `\([^`]*\)` .*/\1/p' docs/trust.md) ||
   fail "the stages of scripts/test --full and the rows of docs/trust.md differ"
 
+# A change to one system leaves the mutators of the others, and nothing else, as they were.
+paths=$(scripts/test --full --paths mutate-cage)
+for system in src/algorithms/*/; do
+  system=$(basename "$system")
+  [ "$system" = mesh_editing ] || [ "$system" = subdivision ] || grep -qxF ":!src/algorithms/$system" <<<"$paths" ||
+    fail "damaged cages are said to depend on $system"
+done
+! grep -q subdivision <<<"$paths" || fail "damaged cages are said not to depend on subdivision"
+! scripts/test --full --paths counts | grep -q algorithms || fail "the tests are said not to depend on all systems"
+
 mkdir -p "$folder"
 page=$folder/page.md
 cp docs/trust.md "$page"
