@@ -206,6 +206,20 @@ TEST_CASE("what is told of a stroke holds") {
   }
 }
 
+TEST_CASE("what is told to be ignored isn't missed in the solid") {
+  Drawing drawing;
+  for (const auto& [id, radius] : {std::pair("table", 400.0), std::pair("mug", 100.0)}) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 90; ++i) points.emplace_back(radius * std::cos(i * pi / 45), radius * std::sin(i * pi / 45));
+    drawing.strokes.push_back(stroke_of(id, points, true));
+  }
+  drawing.strokes.front().data[kind_key] = to_string(StrokeKind::Ignored);
+  const Solid solid = solid_of(drawing);
+  CHECK_FALSE(has_errors(solid.findings));
+  CHECK(solid.objects.size() == 1);
+  CHECK(solid.used == Approx(0.2));
+}
+
 TEST_CASE("limbs of one line grow out of the body, and details lie on its front") {
   for (std::uint64_t seed = 3; seed < 5; ++seed) {
     const Drawing pet = PetDrawing(seed).take();
