@@ -73,7 +73,7 @@ constexpr int most_readings = 8;
 // And so many connections of the same strokes before their kinds must change.
 constexpr int most_connections = 3;
 // A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
-constexpr int most_matchings = 60;
+constexpr int most_matchings = 30;
 constexpr int most_later_matchings = 12;
 
 void append(Findings from, Findings& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); }

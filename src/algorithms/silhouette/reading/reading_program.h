@@ -28,13 +28,14 @@ struct Reading {
   std::vector<Index> regions;        ///< positions in Envelope::regions
 };
 
-/// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k) = stroke s has kind k,
-/// r = region taken, j = join, m = meeting, h = hidden pair taken, o = the surface lies on the stroke's left:
-///   Σ_k x(s,k) = 1; x(s,Region) <= Σ r of regions that s lies on; x(s,Contour) + r <= 1 for these
-///   Σ j + Σ m = x(s,Contour) at each end; Σ h = Σ m at each end
-///   m <= x(bar,Contour) + x(bar,Region), and o of the bar as the meeting says
-///   o agrees along joins and hidden pairs
+/// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k,o) = stroke s has kind k and
+/// the surface on its side o (left or right, of what bounds one), r = region taken, j(o) = join, m(o) = meeting,
+/// h(o) = hidden pair taken, with the surface on side o of the first end's stroke and so on one side of the other's:
+///   Σ x(s,k,o) = 1; Σ_o x(s,Region,o) <= Σ r of regions that s lies on; Σ_o x(s,Contour,o) + r <= 1 for these
+///   Σ j(o) + Σ m(o) = x(s,Contour,o) at each end for each side; Σ h(o) = Σ m(o) likewise
+///   Σ_o m(o) <= x(bar,Contour,p) + x(bar,Region,p) for the side p of the bar that the meeting says
 /// at the least sum of costs (reading_costs.h). Readings come best first: what turns out to be impossible is excluded.
+/// Variables for each side take the place of rows that compare sides: relaxations of those are weak.
 class ReadingProgram {
  public:
   /// All of them must outlive the program.
@@ -68,8 +69,11 @@ class ReadingProgram {
 
  private:
   static constexpr std::size_t kind_count = 5;
+  /// With the surface on the left, and on the right; twice the same of kinds that bound no surface.
+  using Sides = std::array<Index, 2>;
 
-  Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  const Sides& variables(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  void set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const;
   std::vector<double> hanging() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
   bool lies_on_any(Index stroke) const;
@@ -84,7 +88,6 @@ class ReadingProgram {
   void add_regions();
   void add_connections();
   void add_open_lines();
-  void keep_side(Index variable, Index a, Index b);
 
   const std::vector<SampledStroke>& strokes_;
   const Connections& connections_;
@@ -95,8 +98,10 @@ class ReadingProgram {
   std::vector<double> hanging_;    ///< per stroke
   IntegerProgram program_;
   int nodes_ = 0;  ///< looked at by all searches
-  std::vector<std::array<Index, kind_count>> kind_;
-  std::vector<Index> side_, region_, join_, meeting_, hidden_;
+  std::vector<std::array<Sides, kind_count>> kind_;
+  Index kinds_end_ = 0;  ///< the first variable after those of kinds
+  std::vector<Sides> join_, meeting_;
+  std::vector<Index> region_;
   std::vector<Index> open_;  ///< per stroke: its line has hidden ends; empty until it matters
 };
 
