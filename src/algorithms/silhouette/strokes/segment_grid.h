@@ -27,6 +27,17 @@ class SegmentGrid {
 
   const std::vector<GridSegment>& segments() const { return segments_; }
 
+  /// Calls visit(segment, its place nearest to the given one) for every segment within reach of a place, ascending.
+  template <typename Visit>
+  void near_place(const Vec2& place, double reach, Visit visit) const {
+    const Vec2 around = Vec2::Constant(reach);
+    near_box(place - around, place + around, [&](Index i) {
+      const auto& [a, b, line, position] = segments_[i];
+      const Vec2 nearest = a + nearest_parameter(place, a, b) * (b - a);
+      if ((place - nearest).norm() <= reach) visit(segments_[i], nearest);
+    });
+  }
+
   /// Calls visit(index of segment) for every segment whose cells meet the box, ascending, each once.
   template <typename Visit>
   void near_box(const Vec2& low, const Vec2& high, Visit visit) const {
