@@ -17,7 +17,6 @@
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/told_hidden.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
@@ -167,7 +166,7 @@ void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
 /// What was found of every stroke of the drawing.
 std::vector<StrokeKind> kinds_of(const Material& material, const Reading& reading) {
   std::vector<StrokeKind> kinds(material.drawing.strokes.size(), StrokeKind::Ignored);
-  for (const HiddenStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
+  for (const SampledStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     StrokeKind& kind = kinds[material.sampled.strokes[s].stroke];
     switch (reading.kinds[s]) {
@@ -247,10 +246,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
   meet_bars(lines, contours.targets, scale);  // bars may have moved
-  ToldHidden told = told_hidden(drawing, material.sampled.hidden, lines, scale);
   Junctions junctions =
-      find_junctions(drawing, lines, contours.targets, std::move(told.pieces), order, scale, progress);
-  std::move(told.findings.begin(), told.findings.end(), std::back_inserter(junctions.findings));
+      find_junctions(drawing, lines, contours.targets, material.sampled.hidden, order, scale, progress);
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
