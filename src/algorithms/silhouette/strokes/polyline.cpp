@@ -146,7 +146,7 @@ std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> h
     const Vec2 ahead = end + reach * heading;
     if (!cross_properly(end, ahead, a, b)) continue;
     const double fraction = crossing_fraction(end, ahead, a, b);
-    hits.push_back({EndHit::Way::Ahead, fraction * reach, end + (reach * fraction) * heading});
+    hits.push_back({EndHit::Way::Ahead, fraction * reach, end + fraction * (ahead - end)});
   }
   const Vec2 nearest = a + nearest_parameter(end, a, b) * (b - a);
   hits.push_back({EndHit::Way::Beside, (nearest - end).norm(), nearest});
