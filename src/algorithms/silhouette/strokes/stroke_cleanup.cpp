@@ -120,9 +120,12 @@ std::vector<SampledStroke> usable_strokes(const Drawing& drawing, double tiny, s
 
 bool is_hidden(const SampledStroke& stroke) { return stroke.told == StrokeKind::Hidden; }
 
-/// @throws Error
-void check_extent(const Drawing& drawing, const std::vector<SampledStroke>& usable, double step, Findings findings) {
+/// @throws Error when nothing is left to read, or too much to sample
+void check_extent(const Drawing& drawing, const SampledDrawing& sampled) {
+  Findings findings = sampled.findings;
+  const std::vector<SampledStroke>& usable = sampled.strokes;
   if (std::ranges::all_of(usable, is_hidden)) {
+    for (const Index dot : sampled.dots) findings.push_back(too_short(drawing, dot));
     if (!has_errors(findings)) {
       findings.push_back(make_error(Category::Geometry, "E_NO_STROKES",
                                     "The drawing has no stroke to work with: draw the outline of something"));
@@ -131,7 +134,7 @@ void check_extent(const Drawing& drawing, const std::vector<SampledStroke>& usab
   }
   double length = 0;
   for (const SampledStroke& stroke : usable) length += stroke.length;
-  if (std::isfinite(length) && length <= maximum_samples * step) return;
+  if (std::isfinite(length) && length <= maximum_samples * sampled.scale.step) return;
   const Index longest = std::ranges::max_element(usable, {}, &SampledStroke::length)->stroke;
   findings.push_back(make_error(Category::Limit, "E_LIMIT",
                                 "The strokes are too long in all for their size, the longest being " +
@@ -185,10 +188,7 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   result.findings = wrong_behind(drawing);
   result.scale = scale_of(drawing, options, typical);
   result.strokes = usable_strokes(drawing, result.scale.tiny, result.dots, result.findings);
-  if (std::ranges::all_of(result.strokes, is_hidden)) {
-    for (const Index dot : result.dots) result.findings.push_back(too_short(drawing, dot));
-  }
-  check_extent(drawing, result.strokes, result.scale.step, result.findings);
+  check_extent(drawing, result);
   for (SampledStroke& stroke : result.strokes) {
     stroke.size = size_of(stroke.points, stroke.closed);
     stroke.points = even_points(stroke.points, stroke.closed, result.scale.step / 2);
