@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/silhouette/figure/integer_program.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "algorithms/silhouette/figure/arrangement.h"
 #include "algorithms/silhouette/figure/arrangement_faces.h"
-#include "algorithms/silhouette/figure/integer_program.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 

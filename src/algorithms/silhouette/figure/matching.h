@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/figure/integer_program.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/figure/integer_program.h"
 #include "algorithms/silhouette/reading/connections.h"
 #include "algorithms/silhouette/reading/envelope.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 

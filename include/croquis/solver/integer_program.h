@@ -7,7 +7,7 @@
 
 #include "croquis/geometry/vector.h"
 
-namespace croquis::silhouette {
+namespace croquis {
 
 /// minimise Σ cost x  subject to  lower <= A x <= upper for every row, bounds on x, x integer.
 class IntegerProgram {
@@ -62,4 +62,4 @@ class IntegerProgram {
   std::vector<Row> rows_;
 };
 
-}  // namespace croquis::silhouette
+}  // namespace croquis

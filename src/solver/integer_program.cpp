@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/figure/integer_program.h"
+#include "croquis/solver/integer_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/disjoint_sets.h"
 
-namespace croquis::silhouette {
+namespace croquis {
 namespace {
 
 // Far above what the relaxations of a drawing need (some hundred); a guard against cycling.
@@ -301,4 +301,4 @@ IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, doub
   return solution;
 }
 
-}  // namespace croquis::silhouette
+}  // namespace croquis
