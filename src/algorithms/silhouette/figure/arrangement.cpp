@@ -38,30 +38,13 @@ std::vector<GridSegment> path_segments(const std::vector<ContourPath>& contours)
 }
 
 RawCrossings find_crossings(const std::vector<ContourPath>& contours, double spacing) {
-  const SegmentGrid grid(path_segments(contours), spacing);
-  struct Found {
-    Index i, j;
-  };
-  std::vector<Found> found;
-  grid.pairs([&](Index i, Index j) {
-    const GridSegment& a = grid.segments()[i];
-    const GridSegment& b = grid.segments()[j];
-    if (cross_properly(a.a, a.b, b.a, b.b)) found.push_back({i, j});
-  });
-  // The grid's cells depend on where the drawing lies; the order along the contours doesn't.
-  std::sort(found.begin(), found.end(),
-            [](const Found& x, const Found& y) { return std::tuple(x.i, x.j) < std::tuple(y.i, y.j); });
   RawCrossings raw;
-  for (const Found& pair : found) {
-    const GridSegment& a = grid.segments()[pair.i];
-    const GridSegment& b = grid.segments()[pair.j];
-    const double f = crossing_fraction(a.a, a.b, b.a, b.b);
-    const double g = crossing_fraction(b.a, b.b, a.a, a.b);
+  for (const SegmentContact& found : find_contacts(SegmentGrid(path_segments(contours), spacing))) {
     const auto crossing = static_cast<Index>(raw.places.size());
-    raw.places.emplace_back(a.a + f * (a.b - a.a));
-    raw.signs.push_back(orientation(a.a, a.b, b.b));
-    raw.passages.push_back({a.line, a.position, f, crossing, true});
-    raw.passages.push_back({b.line, b.position, g, crossing, false});
+    raw.places.push_back(found.at);
+    raw.signs.push_back(found.sign);
+    raw.passages.push_back({found.a.line, found.a.position, found.fraction_a, crossing, true});
+    raw.passages.push_back({found.b.line, found.b.position, found.fraction_b, crossing, false});
   }
   std::sort(raw.passages.begin(), raw.passages.end(), [](const Passage& x, const Passage& y) {
     return std::tuple(x.contour, x.segment, x.fraction, x.crossing) <

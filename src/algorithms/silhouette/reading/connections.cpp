@@ -202,11 +202,7 @@ class ConnectionSearch {
 
   void find_crossings() {
     std::map<std::pair<Index, Index>, int> counts;
-    grid_.pairs([&](Index i, Index j) {
-      const GridSegment& a = grid_.segments()[i];
-      const GridSegment& b = grid_.segments()[j];
-      if (cross_properly(a.a, a.b, b.a, b.b)) ++counts[std::minmax(a.line, b.line)];
-    });
+    for (const SegmentContact& contact : find_contacts(grid_)) ++counts[{contact.a.line, contact.b.line}];
     for (const auto& [pair, count] : counts) found_.crossings.push_back({pair.first, pair.second, count});
   }
 

@@ -73,17 +73,12 @@ Vec2 straight_direction(const Points& points, bool at_start, double reach) {
 
 /// The first two segments of a line that cross, far enough from its ends.
 std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, const DrawingScale& scale) {
-  const SegmentGrid grid(line_segments({line}), scale.step);
   const double clear = line.closed ? 0 : free_reach * scale.reach(line.size) / scale.step;
-  std::optional<std::pair<Index, Index>> first;
-  grid.pairs([&](Index i, Index k) {
-    const GridSegment& a = grid.segments()[i];
-    const GridSegment& b = grid.segments()[k];
-    const auto [lower, upper] = std::minmax(a.position, b.position);
-    if (lower < clear || line.segment_count() - upper < clear || (first && first->first <= lower)) return;
-    if (cross_properly(a.a, a.b, b.a, b.b)) first = {lower, upper};
-  });
-  return first;
+  for (const auto& contact : find_contacts(SegmentGrid(line_segments({line}), scale.step))) {
+    const Index first = contact.a.position, second = contact.b.position;
+    if (first >= clear && line.segment_count() - second >= clear) return std::pair(first, second);
+  }
+  return std::nullopt;
 }
 
 /// What a line has per point.
