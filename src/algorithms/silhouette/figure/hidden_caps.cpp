@@ -8,7 +8,7 @@
 #include <span>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
-#include "algorithms/silhouette/strokes/covered_runs.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
