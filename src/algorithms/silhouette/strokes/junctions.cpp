@@ -10,7 +10,6 @@
 #include <string>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/line_conflicts.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 
 namespace croquis::silhouette {

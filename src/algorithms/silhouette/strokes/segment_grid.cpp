@@ -2,7 +2,6 @@
 #include "algorithms/silhouette/strokes/segment_grid.h"
 
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -41,8 +40,7 @@ SegmentGrid::SegmentGrid(std::vector<GridSegment> segments, double cell, double 
   const Vec2 reach = Vec2::Constant(margin);
   for (Index i = 0; i < segments_.size(); ++i) {
     const auto& [a, b, line, position] = segments_[i];
-    ranges_.push_back(range(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach));
-    for_cells(ranges_.back(), [&](std::size_t k) { cells_[k].push_back(i); });
+    for_cells(range(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach), [&](std::size_t k) { cells_[k].push_back(i); });
   }
 }
 
@@ -78,20 +76,22 @@ std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines) {
 
 std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach) {
   std::vector<SegmentContact> found;
-  grid.pairs([&](Index i, Index j) {
-    const GridSegment& a = grid.segments()[i];
-    const GridSegment& b = grid.segments()[j];
+  const auto compare = [&](const GridSegment& a, const GridSegment& b) {
     if (cross_properly(a.a, a.b, b.a, b.b)) {
       const double along_a = crossing_fraction(a.a, a.b, b.a, b.b), along_b = crossing_fraction(b.a, b.b, a.a, a.b);
       found.push_back({a, b, a.a + along_a * (a.b - a.a), orientation(a.a, a.b, b.b), along_a, along_b});
     } else if (const std::optional<Vec2> at = touching_end(a, b, reach)) {
       found.push_back({a, b, *at});
     }
-  });
-  // The grid's cells depend on where the drawing lies; the order along the lines doesn't.
-  std::ranges::sort(found, {}, [](const SegmentContact& contact) {
-    return std::tuple(contact.a.line, contact.a.position, contact.b.line, contact.b.position);
-  });
+  };
+  const std::vector<GridSegment>& segments = grid.segments();
+  for (Index i = 0; i < segments.size(); ++i) {
+    const Vec2 low = segments[i].a.cwiseMin(segments[i].b).array() - reach;
+    const Vec2 high = segments[i].a.cwiseMax(segments[i].b).array() + reach;
+    grid.near_box(low, high, [&](Index j) {
+      if (j > i) compare(segments[i], segments[j]);
+    });
+  }
   return found;
 }
 

@@ -29,7 +29,7 @@ class SegmentGrid {
   };
 
   /// @param cell   about the length of a segment, > 0
-  /// @param margin segments reach this far beyond themselves, so that near misses share a cell too
+  /// @param margin segments reach this far beyond themselves
   SegmentGrid(std::vector<GridSegment> segments, double cell, double margin = 0);
 
   const std::vector<GridSegment>& segments() const { return segments_; }
@@ -49,9 +49,8 @@ class SegmentGrid {
   template <typename Visit>
   void near_box(const Vec2& low, const Vec2& high, Visit visit) const {
     std::vector<Index> found;
-    for_cells(range(low, high), [&](std::size_t cell) {
-      found.insert(found.end(), cells_[cell].begin(), cells_[cell].end());
-    });
+    for_cells(range(low, high),
+              [&](std::size_t cell) { found.insert(found.end(), cells_[cell].begin(), cells_[cell].end()); });
     std::ranges::sort(found);
     const auto repeated = std::ranges::unique(found);
     found.erase(repeated.begin(), repeated.end());
@@ -61,28 +60,10 @@ class SegmentGrid {
   /// The place on a segment that is nearest to another place, where there is one nearer than `reach`.
   std::optional<Place> nearest(const Vec2& place, double reach) const;
 
-  /// Calls visit(i, j), i < j, once for every pair of segments that share a cell, in an order that depends on the
-  /// segments alone.
-  template <typename Visit>
-  void pairs(Visit visit) const {
-    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-      for (std::size_t k = 0; k < cells_[cell].size(); ++k) {
-        for (std::size_t l = k + 1; l < cells_[cell].size(); ++l) {
-          const Index i = cells_[cell][k], j = cells_[cell][l];
-          if (first_shared_cell(ranges_[i], ranges_[j]) == cell) visit(i, j);
-        }
-      }
-    }
-  }
-
  private:
   struct Range {
     std::int64_t x0, y0, x1, y1;
   };
-
-  std::size_t first_shared_cell(const Range& a, const Range& b) const {
-    return static_cast<std::size_t>(std::max(a.y0, b.y0) * columns_ + std::max(a.x0, b.x0));
-  }
 
   template <typename Visit>
   void for_cells(const Range& cells, Visit visit) const {
@@ -94,7 +75,6 @@ class SegmentGrid {
   Range range(const Vec2& low, const Vec2& high) const;
 
   std::vector<GridSegment> segments_;
-  std::vector<Range> ranges_;
   Vec2 origin_ = Vec2::Zero();
   double cell_ = 1;
   std::int64_t columns_ = 1;
@@ -117,9 +97,9 @@ struct SegmentContact {
   bool crosses() const { return sign != 0; }
 };
 
-/// Where the segments of a grid cross properly (exact predicates) or touch, sorted along the lines. Neighbours on one
-/// line don't touch there.
-/// @param reach segments touch that come nearer than this, at most the grid's margin
+/// Where the segments of a grid cross properly (exact predicates) or touch, in the order of the segments. Neighbours on
+/// one line don't touch there.
+/// @param reach segments touch that come nearer than this
 std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach = 0);
 
 }  // namespace croquis::silhouette

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/ring_shape.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 #include "croquis/geometry/polyline.h"
@@ -22,6 +24,14 @@ namespace {
 constexpr double touching = 0.2;
 // Samples on the wrong side are moved to this share of the tremble on the right one.
 constexpr double moved_share = 0.5;
+// Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
+constexpr double touch_distance = 0.1;
+// Crossings flatter than this sine are strokes that run into one another.
+constexpr double touch_sine = 0.05;
+// Neighbouring segments of one line are near each other by nature.
+constexpr double own_segments = 8;
+// A stem is near its bar over this many segments before it ends there.
+constexpr double junction_segments = 2;
 
 // Which of two lines lies in front.
 
@@ -45,8 +55,8 @@ Index ring_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const
   const auto things = std::ranges::count_if(
       crossing, [around](const auto& pair) { return pair.first == around || pair.second == around; });
   const std::optional<bool> told = told_hole(drawing, lines[line].strokes);
-  const bool hole = told ? *told
-                         : is_hole_of_ring(lines[line].points, lines[around].points, static_cast<std::size_t>(things));
+  const bool hole =
+      told ? *told : is_hole_of_ring(lines[line].points, lines[around].points, static_cast<std::size_t>(things));
   return hole ? around : line;
 }
 
@@ -114,30 +124,6 @@ struct LineRun {
   double depth = 0;     ///< how far it gets away from the cover, counted up to twice the tremble
 };
 
-/// Runs next to one another that are meant to lie on the same side.
-struct Stretch {
-  std::size_t first = 0;  ///< of a closed line runs go round
-  std::size_t count = 0;
-  double depth = 0;
-};
-
-/// None where all of a closed line is on one side.
-std::vector<Stretch> stretches_of(const std::vector<LineRun>& runs, bool closed) {
-  const std::size_t count = runs.size();
-  const auto goes_on = [&](std::size_t k) {
-    return (closed || k % count != 0) && runs[k % count].meant == runs[(k + count - 1) % count].meant;
-  };
-  std::vector<Stretch> stretches;
-  for (std::size_t first = 0; first < count; ++first) {
-    if (goes_on(first)) continue;
-    Stretch& stretch = stretches.emplace_back(Stretch{first});
-    do {
-      stretch.depth = std::max(stretch.depth, runs[(first + stretch.count++) % count].depth);
-    } while (goes_on(first + stretch.count));
-  }
-  return stretches;
-}
-
 /// Ascending parameters of the places where a line crosses another one.
 std::vector<double> crossing_parameters(const CleanLine& line, const CleanLine& other, double step) {
   std::vector<double> parameters;
@@ -152,16 +138,29 @@ std::vector<double> crossing_parameters(const CleanLine& line, const CleanLine& 
 std::vector<LineRun> runs_between(const std::vector<double>& crossings, const CleanLine& line, const CleanLine& cover) {
   const double last = line.segment_count();
   std::vector<LineRun> runs;
-  // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
-  if (line.closed && crossings.size() % 2 != 0) return runs;
   if (!line.closed) runs.push_back({0, crossings.front()});
   for (std::size_t k = 0; k + 1 < crossings.size(); ++k) runs.push_back({crossings[k], crossings[k + 1]});
   runs.push_back({crossings.back(), line.closed ? crossings.front() + last : last});
   const auto longest = std::ranges::max_element(runs, {}, [](const LineRun& run) { return run.end - run.begin; });
   const double middle = 0.5 * (longest->begin + longest->end);
   const bool inside = encloses(cover, point_at(line.points, middle));
-  for (auto run = runs.begin(); run != runs.end(); ++run) run->inside = inside == ((run - longest) % 2 == 0);
+  for (auto run = runs.begin(); run != runs.end(); ++run) {
+    run->inside = run->meant = inside == ((run - longest) % 2 == 0);
+  }
   return runs;
+}
+
+/// Runs that are too shallow are meant to lie where the next one towards the deepest one does.
+void join_shallow_runs(std::vector<LineRun>& runs, bool closed, double tremble) {
+  const auto count = static_cast<std::ptrdiff_t>(runs.size());
+  const auto deepest = std::ranges::max_element(runs, {}, &LineRun::depth) - runs.begin();
+  const auto run = [&](std::ptrdiff_t k) -> LineRun& { return runs[static_cast<std::size_t>(k % count)]; };
+  for (std::ptrdiff_t k = deepest + 1; k < (closed ? deepest + count : count); ++k) {
+    if (run(k).depth < tremble) run(k).meant = run(k - 1).meant;
+  }
+  for (std::ptrdiff_t k = deepest; !closed && k-- > 0;) {
+    if (run(k).depth < tremble) run(k).meant = run(k + 1).meant;
+  }
 }
 
 /// Moves the samples of a run, and those next to it, to one side of the cover. Ends of open lines stay on their bars.
@@ -180,8 +179,8 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
   }
 }
 
-/// Runs that stay within the tremble of a closed line are moved to its other side, the shallowest first, and a line
-/// that only touches it is moved off it.
+/// Runs that stay within the tremble of a closed line are moved to its other side, and a line that only touches it is
+/// moved off it.
 /// @returns one of the places where the two are meant to cross
 std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double tremble, double step) {
   const SegmentGrid grid(line_segments({cover}), step);
@@ -191,29 +190,21 @@ std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, do
     move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, tremble);
     return std::nullopt;
   }
+  // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
+  if (line.closed && crossings.size() % 2 != 0) return std::nullopt;
   std::vector<LineRun> runs = runs_between(crossings, line, cover);
   for (LineRun& run : runs) {
-    run.meant = run.inside;
     for (auto i = static_cast<Index>(std::ceil(run.begin)); i <= run.end && run.depth < 2 * tremble; ++i) {
       const auto nearest = grid.nearest(line.points[i % line.points.size()], 2 * tremble);
       run.depth = std::max(run.depth, nearest ? nearest->distance : 2 * tremble);
     }
   }
-  std::vector<Stretch> stretches = stretches_of(runs, line.closed);
-  while (stretches.size() > 1) {
-    const Stretch least = *std::ranges::min_element(stretches, {}, &Stretch::depth);
-    if (least.depth >= tremble) break;
-    for (std::size_t k = 0; k < least.count; ++k) {
-      LineRun& run = runs[(least.first + k) % runs.size()];
-      run.meant = !run.meant;
-    }
-    stretches = stretches_of(runs, line.closed);
-  }
+  join_shallow_runs(runs, line.closed, tremble);
   for (const LineRun& run : runs) {
     if (run.meant != run.inside) move_aside(line, cover, grid, run, tremble);
   }
-  if (stretches.size() < 2) return std::nullopt;
-  return point_at(line.points, runs[stretches[line.closed ? 0 : 1].first].begin);
+  const auto other = std::ranges::find(runs, !runs.front().meant, &LineRun::meant);
+  return other == runs.end() ? std::nullopt : std::optional(point_at(line.points, other->begin));
 }
 
 Finding warning(const Drawing& drawing, const CrossingInView& pair) {
@@ -225,6 +216,52 @@ Finding warning(const Drawing& drawing, const CrossingInView& pair) {
       front + " and " + behind + " cross in full view: " + front + " is read as the one in front; " + why,
       {stroke_subject(drawing, pair.front, pair.at), stroke_subject(drawing, pair.behind, pair.at),
        crossing_subject(drawing, pair.at)});
+}
+
+// What is left.
+
+/// How many segments lie between two places of a line, the shorter way round a closed one.
+double separation(const CleanLine& line, double a, double b) {
+  const double apart = std::abs(a - b);
+  return line.closed ? std::min(apart, line.segment_count() - apart) : apart;
+}
+
+/// True where `stem` is the last bit of a line and `bar` the place where that line ends.
+bool is_junction(const std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const GridSegment& stem,
+                 const GridSegment& bar) {
+  return std::ranges::any_of(ends, [&](const HiddenEnd& end) {
+    if (end.line != stem.line || end.bar != bar.line) return false;
+    const double last = lines[stem.line].segment_count() - 1.0;
+    const double from_end = end.at_start ? stem.position : last - stem.position;
+    const double from_junction = separation(lines[bar.line], bar.position + 0.5, end.bar_parameter);
+    return from_end < junction_segments && from_junction < junction_segments + 1;
+  });
+}
+
+bool is_crossing(const SegmentContact& contact) {
+  const Vec2 u = contact.a.b - contact.a.a;
+  const Vec2 v = contact.b.b - contact.b.a;
+  return contact.crosses() && std::abs(cross(u, v)) > touch_sine * u.norm() * v.norm();
+}
+
+LineFinding describe(const Drawing& drawing, Index s1, Index s2, const SegmentContact& contact) {
+  const std::string first = in_quotes(drawing, s1);
+  const bool crossing = is_crossing(contact), itself = s1 == s2;
+  std::string sentence = itself ? first : first + " and " + in_quotes(drawing, s2);
+  if (crossing) {
+    sentence += itself ? " crosses itself in full view: which part" : " cross in full view: which one";
+    sentence += " is in front? Let the other one stop where it passes behind";
+  } else {
+    sentence +=
+        itself ? " touches itself: draw the two parts apart" : " touch: draw them apart, or let one end at the other";
+  }
+  std::vector<Subject> subjects{stroke_subject(drawing, s1, contact.at)};
+  if (!itself) subjects.push_back(stroke_subject(drawing, s2, contact.at));
+  subjects.push_back(crossing_subject(drawing, contact.at));
+  LineFinding result{make_error(Category::Geometry, crossing ? "E_CROSS" : "E_TOUCH", sentence, std::move(subjects)),
+                     {contact.a.line}};
+  if (contact.b.line != contact.a.line) result.lines.push_back(contact.b.line);
+  return result;
 }
 
 }  // namespace
@@ -255,10 +292,32 @@ VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<Cle
   return found;
 }
 
+LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines,
+                                 const std::vector<HiddenEnd>& ends, const VisibleCrossings& order,
+                                 const DrawingScale& scale, const Progress& progress) {
+  const double reach = touch_distance * scale.unit;
+  std::map<std::pair<Index, Index>, SegmentContact> worst;  // by strokes; a crossing counts as worse than a touch
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step), reach)) {
+    progress.check();
+    const auto& [a, b] = std::tie(contact.a, contact.b);
+    if (order.is_known(a.line, b.line) || is_junction(lines, ends, a, b) || is_junction(lines, ends, b, a)) continue;
+    const double apart = a.line == b.line ? separation(lines[a.line], a.position, b.position) : own_segments + 1;
+    if (!contact.crosses() && apart <= own_segments) continue;
+    const auto strokes = std::minmax({lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]});
+    const auto [place, fresh] = worst.try_emplace(strokes, contact);
+    if (!fresh && is_crossing(contact) && !is_crossing(place->second)) place->second = contact;
+  }
+  LineFindings findings;
+  for (const auto& [strokes, contact] : worst) {
+    findings.push_back(describe(drawing, strokes.first, strokes.second, contact));
+  }
+  return findings;
+}
+
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
   const double reach = touching * scale.unit;
   LinePairs pairs;
-  for (const auto& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step, reach), reach)) {
+  for (const auto& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step), reach)) {
     const Index a = contact.a.line, b = contact.b.line;
     if (a != b && (contact.crosses() || (lines[a].closed && lines[b].closed))) pairs.emplace(a, b);
   }

@@ -14,6 +14,8 @@ namespace croquis::silhouette {
 
 using LinePairs = std::set<std::pair<Index, Index>>;
 
+struct HiddenEnd;
+
 struct VisibleCrossings {
   LinePairs in_front;      ///< pairs of lines that cross; the first one lies in front
   std::set<Index> behind;  ///< the second ones of these pairs
@@ -34,6 +36,14 @@ struct VisibleCrossings {
 /// @param lines     ends that pass behind something lie on it; moved where they nearly touch
 VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
                                          const DrawingScale& scale, bool tubes_only, const Progress& progress);
+
+/// Lines that still cross in full view (E_CROSS), run along one another or touch (E_TOUCH); one finding for each pair
+/// of strokes. A stem and its bar meet rightly, and so do lines one of which is known to lie in front. O(n) for evenly
+/// spread samples.
+/// @param ends that lie on their bars
+LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines,
+                                 const std::vector<HiddenEnd>& ends, const VisibleCrossings& order,
+                                 const DrawingScale& scale, const Progress& progress);
 
 /// Pairs of lines that cross, and of closed ones that touch; the lower index first.
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale);
