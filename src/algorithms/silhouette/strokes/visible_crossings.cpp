@@ -74,6 +74,7 @@ bool opens_within(const CleanLine& line, const CleanLine& other) {
   return line.bridged && encloses(other, (line.points.front() + line.points.back()) / 2);
 }
 
+/// A line in front of another one.
 struct Cover {
   Index front = 0;
   Index behind = 0;
@@ -165,13 +166,11 @@ void join_shallow_runs(std::vector<LineRun>& runs, bool closed, double tremble) 
 
 /// Moves the samples of a run, and those next to it, to one side of the cover. Ends of open lines stay on their bars.
 void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid, const LineRun& run, double tremble) {
-  const auto count = static_cast<std::ptrdiff_t>(line.points.size());
   const int side = (signed_area(cover.points) > 0) == run.meant ? 1 : -1;
   const double distance = moved_share * tremble;
-  const auto last = static_cast<std::ptrdiff_t>(std::ceil(run.end));
-  for (auto i = static_cast<std::ptrdiff_t>(run.begin); i <= last; ++i) {
-    if (!line.closed && (i <= 0 || i + 1 >= count)) continue;
-    Vec2& point = line.points[static_cast<std::size_t>(i % count)];
+  for (auto i = static_cast<Index>(run.begin); i <= std::ceil(run.end); ++i) {
+    if (!line.closed && (i == 0 || i + 1 >= line.points.size())) continue;
+    Vec2& point = line.points[i % line.points.size()];
     const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, 2 * tremble);
     if (!nearest || (encloses(cover, point) == run.meant && nearest->distance >= distance)) continue;
     const GridSegment& segment = grid.segments()[nearest->segment];
@@ -300,9 +299,9 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
   for (const SegmentContact& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step), reach)) {
     progress.check();
     const auto& [a, b] = std::tie(contact.a, contact.b);
-    if (order.is_known(a.line, b.line) || is_junction(lines, ends, a, b) || is_junction(lines, ends, b, a)) continue;
     const double apart = a.line == b.line ? separation(lines[a.line], a.position, b.position) : own_segments + 1;
-    if (!contact.crosses() && apart <= own_segments) continue;
+    if (order.is_known(a.line, b.line) || (!contact.crosses() && apart <= own_segments)) continue;
+    if (is_junction(lines, ends, a, b) || is_junction(lines, ends, b, a)) continue;
     const auto strokes = std::minmax({lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]});
     const auto [place, fresh] = worst.try_emplace(strokes, contact);
     if (!fresh && is_crossing(contact) && !is_crossing(place->second)) place->second = contact;
