@@ -2,7 +2,6 @@
 #pragma once
 
 #include "algorithms/silhouette/figure/contour_paths.h"
-#include "algorithms/silhouette/figure/figure_search.h"
 #include "algorithms/silhouette/figure/labelling.h"
 
 /// Findings for a part whose hidden ends can't be joined or whose contours can't be labelled.
@@ -11,11 +10,9 @@ namespace croquis::silhouette {
 /// E_NO_LABELLING for lines whose hidden ends can't all be paired, naming those that are left.
 Finding ends_without_partner(const FigureContext& context, const PartLines& part);
 
-/// E_NO_LABELLING naming the lines of which a labelling with slack had to break a rule.
+/// E_NO_LABELLING naming the lines of which a labelling with blame had to break a rule; E_TOUCH at a place where
+/// contours meet in a way that nothing resolves, so that there are no faces.
 Finding no_labelling(const FigureContext& context, const PartLines& part, const Arrangement& arrangement,
-                     const Faces& faces, const Labelling& relaxed);
-
-/// E_TOUCH at a place where contours meet in a way that no change of the completions resolves.
-Finding contours_touch(const FigureContext& context, const PartLines& part, const Vec2& at);
+                     const Faces& faces);
 
 }  // namespace croquis::silhouette
