@@ -57,6 +57,7 @@ struct Arrangement {
   std::vector<FigureArc> arcs;                 ///< by contour, in order along it; depth not yet known
   std::vector<std::array<Index, 2>> segments;  ///< by contour, in order along it
   std::vector<ContourSegment> origins;         ///< per segment: what it is a piece of
+  std::vector<Index> first_segment;            ///< per contour
   std::vector<Index> segment_arc;
   std::vector<std::uint8_t> may_be_covered;  ///< per arc: drawn, but something drawn may lie in front of it
 
@@ -66,8 +67,6 @@ struct Arrangement {
     return first_segment[arc.contour] + (arc.begin + k) % count;
   }
   Index middle_segment(const FigureArc& arc) const { return segment_of(arc, arc.count / 2); }
-
-  std::vector<Index> first_segment;  ///< per contour
 };
 
 /// Crosses closed contours with one another: exact predicates, a uniform grid, near O(n).

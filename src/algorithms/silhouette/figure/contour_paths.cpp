@@ -11,8 +11,6 @@
 namespace croquis::silhouette {
 namespace {
 
-using Drawn = ContourSegment::Drawn;
-
 // Samples of a known piece nearer to its bar than so many times what its line goes on behind it give way.
 constexpr double clearance = 1.5;
 
@@ -40,7 +38,7 @@ ChosenEnds chosen_ends(const FigureContext& context, const PartLines& part,
 
 ContourPath path_of_line(const CleanLine& line, Index index) {
   ContourPath path{line.points, {}, line.raw, line.strokes};
-  for (const Index stroke : line.stroke) path.segments.push_back({Drawn::Yes, stroke, index});
+  for (const Index stroke : line.stroke) path.segments.push_back({ContourSegment::Drawn::Yes, stroke, index});
   return path;
 }
 
@@ -58,13 +56,13 @@ ContourPath path_between_bars(const ChosenEnds& ends, Index index, bool forward)
     path.raw.insert(path.raw.begin() + 1, 0.5 * (path.raw[0] + path.raw[1]));
     path.segments.insert(path.segments.begin() + 1, path.segments.front());
   }
-  const auto cut = [&](std::size_t segment, bool at_start, Drawn drawn) {
+  const auto cut = [&](std::size_t segment, bool at_start, ContourSegment::Drawn drawn) {
     const Vec2& bar = ends.end(ends.position.at({index, at_start})).at;
     path.segments[segment].drawn = drawn;
     path.segments[segment].cut = nearest_parameter(bar, path.points[segment], path.points[segment + 1]);
   };
-  cut(0, forward, Drawn::FromCut);
-  cut(path.points.size() - 2, !forward, Drawn::UntilCut);
+  cut(0, forward, ContourSegment::Drawn::FromCut);
+  cut(path.points.size() - 2, !forward, ContourSegment::Drawn::UntilCut);
   return path;
 }
 
@@ -119,7 +117,7 @@ HiddenCurve given_curve(const ChosenEnds& ends, const GivenPiece& given, Index l
 
 /// Appends a piece but its last point, with which the next one begins. A stroke that is hidden in between comes as
 /// several lines and as what is known between them.
-void append(const ContourPath& piece, ContourPath& path) {
+void append_piece(const ContourPath& piece, ContourPath& path) {
   path.points.insert(path.points.end(), piece.points.begin(), piece.points.end() - 1);
   path.segments.insert(path.segments.end(), piece.segments.begin(), piece.segments.end() - 1);
   path.raw.insert(path.raw.end(), piece.raw.begin(), piece.raw.end() - 1);
@@ -137,8 +135,9 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
   HiddenCurve curve = is_given ? given_curve(ends, ends.context.junctions.given[candidate.given], leaving, arriving)
                                : completed_curve(ends, choice, leaving);
   ContourPath piece{curve.points, {}, curve.points, is_given ? curve.stroke : std::vector<Index>{}};
-  for (const Index stroke : curve.stroke) piece.segments.push_back({Drawn::No, stroke, no_index, choice});
-  append(piece, path);
+  for (const Index stroke : curve.stroke)
+    piece.segments.push_back({ContourSegment::Drawn::No, stroke, no_index, choice});
+  append_piece(piece, path);
   result.completions.push_back({std::move(curve.points), static_cast<Index>(result.paths.size()), candidate.cost});
   return arriving;
 }
@@ -154,7 +153,7 @@ bool add_open_lines(const ChosenEnds& ends, Index first, std::vector<char>& done
     const int side = (forward ? 1 : -1) * ends.context.junctions.sides[line];
     if (side != 0 && path.side == -side) return false;
     if (side != 0) path.side = side;
-    append(path_between_bars(ends, line, forward), path);
+    append_piece(path_between_bars(ends, line, forward), path);
     const HiddenEnd& end = ends.end(append_completion(ends, ends.position.at({line, !forward}), path, result));
     line = end.line;
     forward = end.at_start;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/figure/figure_search.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_paths.h"
-#include "algorithms/silhouette/figure/figure_failure.h"
 #include "algorithms/silhouette/figure/labelled_figure_builder.h"
 #include "algorithms/silhouette/figure/matching.h"
 #include "algorithms/silhouette/figure/nested_outlines.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -25,6 +28,10 @@ constexpr std::array<double, 2> mergings{0.15, 1e-4};
 // What lies in the open in one of so many likeliest matchings gets other shapes, so many times.
 constexpr int reshaped_matchings = 12;
 constexpr int maximum_reshapings = 4;
+// What leaving out an end costs, far above all completions.
+constexpr double cost_left_out = 1e4;
+constexpr int branches_for_failure = 200;
+constexpr std::size_t most_told = 3;
 
 /// Indices of the candidates that are taken.
 using Matching = std::vector<Index>;
@@ -36,7 +43,9 @@ struct Trial {
   Faces faces;  ///< none when the surface would lie on both sides of a contour, or contours touch
 };
 
-PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options) {
+/// The likely candidates are judged: the search for matchings needs what they cost.
+PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options,
+                  const CompletionJudge& judge) {
   PartLines part;
   part.lines = lines;
   const std::set<Index> included(lines.begin(), lines.end());
@@ -45,6 +54,9 @@ PartLines part_of(const FigureContext& context, const std::vector<Index>& lines,
   }
   part.candidates =
       completion_candidates(context.lines, context.junctions, part.ends, context.completion_reference, options);
+  for (const Index candidate : likely_candidates(part.ends.size(), part.candidates)) {
+    judge.judge(part.candidates[candidate]);
+  }
   return part;
 }
 
@@ -54,17 +66,6 @@ MatchingSearch matchings_of(const PartLines& part) {
     edges.push_back({candidate.a, candidate.b, candidate.cost});
   }
   return {static_cast<Index>(part.ends.size()), edges, maximum_branches};
-}
-
-/// The cheapest matching when all in it are judged: what isn't costs no less than it seems to.
-std::optional<Matching> likeliest_matching(const CompletionJudge& judge, PartLines& part) {
-  for (;;) {
-    std::optional<Matching> chosen = matchings_of(part).next();
-    if (!chosen) return std::nullopt;
-    bool dearer = false;
-    for (const Index candidate : *chosen) dearer = judge.judge(part.candidates[candidate]) || dearer;
-    if (!dearer) return chosen;
-  }
 }
 
 std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
@@ -137,41 +138,134 @@ std::optional<LabelledFigure> try_matching(const FigureContext& context, const P
   }
 }
 
+/// Strokes and how they are called.
+struct NamedStrokes {
+  std::vector<Subject> subjects;
+  std::string names;
+
+  void add(const Drawing& drawing, Index stroke, const Vec2& at) {
+    subjects.push_back(stroke_subject(drawing, stroke, at));
+    names += (names.empty() ? "" : ", ") + in_quotes(drawing, stroke);
+  }
+};
+
+std::vector<Subject> all_strokes(const FigureContext& context, const PartLines& part) {
+  std::set<Index> strokes;
+  for (const Index line : part.lines) {
+    strokes.insert(context.lines[line].strokes.begin(), context.lines[line].strokes.end());
+  }
+  std::vector<Subject> subjects;
+  for (const Index stroke : strokes) subjects.push_back(stroke_subject(context.drawing, stroke));
+  return subjects;
+}
+
+/// E_TOUCH, at a place where there are no faces.
+Finding contours_touch(const FigureContext& context, const PartLines& part, const Vec2& at) {
+  std::set<Index> strokes;
+  for (const Index line : part.lines) {
+    const CleanLine& clean = context.lines[line];
+    for (std::size_t i = 0; i < clean.points.size(); ++i) {
+      if ((clean.points[i] - at).norm() <= context.scale.step) strokes.insert(clean.stroke[i]);
+    }
+  }
+  NamedStrokes touching;
+  for (const Index stroke : strokes) touching.add(context.drawing, stroke, at);
+  if (strokes.empty()) touching = {all_strokes(context, part), "hidden lines"};
+  return make_error(Category::Geometry, "E_TOUCH",
+                    "Contours meet in one point or overlap (" + touching.names + "): move one of them a little",
+                    std::move(touching.subjects));
+}
+
+/// E_NO_LABELLING for lines whose hidden ends can't all be paired, naming those that are left.
+Finding ends_without_partner(const FigureContext& context, const PartLines& part) {
+  std::vector<MatchingEdge> edges;
+  for (Index end = 0; end < part.ends.size(); ++end) edges.push_back({end, end, cost_left_out});
+  for (const CompletionCandidate& candidate : part.candidates) {
+    edges.push_back({candidate.a, candidate.b, std::min(candidate.cost, cost_left_out)});
+  }
+  const std::vector<Index> none;
+  NamedStrokes left_out;
+  MatchingSearch search(static_cast<Index>(part.ends.size()), edges, branches_for_failure);
+  for (const Index edge : search.next().value_or(none)) {
+    if (edge >= part.ends.size()) continue;
+    const HiddenEnd& end = context.junctions.ends[part.ends[edge]];
+    left_out.add(context.drawing, context.lines[end.line].end_stroke(end.at_start), end.at);
+  }
+  if (left_out.subjects.empty()) {
+    return no_solid("the hidden ends can't all be connected in pairs", all_strokes(context, part));
+  }
+  return no_solid("nothing comes out again that the hidden end of " + left_out.names + " could be connected to",
+                  std::move(left_out.subjects));
+}
+
+/// E_NO_LABELLING naming the lines of which a labelling with blame had to break a rule; E_TOUCH where contours meet in
+/// a way that nothing resolves.
+Finding no_labelling(const FigureContext& context, const PartLines& part, const Trial& trial) {
+  const auto& [closed, arrangement, faces] = trial;
+  if (!faces.conflicts.empty()) return contours_touch(context, part, faces.conflicts.front());
+  Labelling blamed;
+  if (!faces.winding.empty()) blamed = label_arrangement(arrangement, faces, LabellingRules::Blame);
+  std::vector<std::string> faults;
+  std::vector<Subject> subjects;
+  const auto blame = [&](Index segment) {
+    const Index stroke = arrangement.origins[segment].stroke;
+    const Vec2& at = arrangement.points[arrangement.segments[segment].front()];
+    subjects.push_back(stroke_subject(context.drawing, stroke, at));
+    return in_quotes(context.drawing, stroke);
+  };
+  for (const Index wrong : blamed.wrong_arcs) {
+    const FigureArc& arc = arrangement.arcs[wrong];
+    const std::string stroke = blame(arrangement.middle_segment(arc));
+    faults.push_back(arc.visible ? "the drawn part of " + stroke + " would be covered"
+                                 : "the hidden part of " + stroke + " would lie in the open");
+  }
+  for (const Index wrong : blamed.wrong_crossings) {
+    const auto& [a, b] = arrangement.crossings[wrong].strands;
+    const std::string first = blame(arrangement.first_segment[a.contour] + a.position);
+    const std::string second = blame(arrangement.first_segment[b.contour] + b.position);
+    faults.push_back(first + " and " + second + " contradict one another");
+  }
+  for (const Index wrong : blamed.wrong_faces) {
+    for (Index e = 0; e < arrangement.arcs.size(); ++e) {
+      const FigureArc& arc = arrangement.arcs[e];
+      if (faces.beside_arc[e][blamed.side[arc.contour] > 0 ? 1 : 0] != wrong) continue;
+      faults.push_back(blame(arrangement.middle_segment(arc)) + " would be the edge of nothing");
+    }
+  }
+  if (faults.empty()) {
+    return no_solid("the lines that stop at others contradict one another", all_strokes(context, part));
+  }
+  std::string told = faults.front();
+  for (std::size_t i = 1; i < faults.size() && i < most_told; ++i) told += ", and " + faults[i];
+  return no_solid(told, std::move(subjects));
+}
+
 }  // namespace
 
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
   CompletionOptions options = context.options.completion;
   const CompletionJudge judge(context.lines, context.junctions);
-  PartLines part = part_of(context, lines, options);
-  std::optional<Matching> likeliest = likeliest_matching(judge, part);
-  if (!likeliest) {
+  PartLines part = part_of(context, lines, options, judge);
+  MatchingSearch matchings = matchings_of(part);
+  std::optional<Matching> matching = matchings.next();
+  if (!matching) {
     // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
     options.maximum_cost = std::numeric_limits<double>::max();
-    part = part_of(context, lines, options);
-    likeliest = likeliest_matching(judge, part);
+    part = part_of(context, lines, options, judge);
+    matchings = matchings_of(part);
+    matching = matchings.next();
   }
-  if (!likeliest) return {std::nullopt, {ends_without_partner(context, part)}};
-  FigureSearch result;
+  if (!matching) return {std::nullopt, {ends_without_partner(context, part)}};
+  const Matching cheapest = *matching;
   std::size_t arcs = 0;
-  result.figure = try_matching(context, part, *likeliest, maximum_reshapings, arcs);
-  if (result.figure) return result;
-  // It can't be labelled: others may be right, and the search among them needs all costs.
-  for (const Index candidate : likely_candidates(part.ends.size(), part.candidates)) {
-    judge.judge(part.candidates[candidate]);
-  }
-  MatchingSearch matchings = matchings_of(part);
-  for (int tried = 0; tried < options.maximum_matchings && arcs < maximum_arcs; ++tried) {
+  for (int tried = 0; matching && tried < options.maximum_matchings && arcs < maximum_arcs; ++tried) {
     progress.check();
-    const std::optional<Matching> matching = matchings.next();
-    if (!matching) break;
-    if (*matching == *likeliest) continue;
     const int reshapings = tried < reshaped_matchings ? maximum_reshapings : 0;
-    result.figure = try_matching(context, part, *matching, reshapings, arcs);
-    if (result.figure) return result;
+    std::optional<LabelledFigure> figure = try_matching(context, part, *matching, reshapings, arcs);
+    if (figure) return {std::move(figure), {}};
+    matching = matchings.next();
   }
-  const Trial trial = arrange(context, part, in_likeliest_shapes(*likeliest));
-  result.findings.push_back(no_labelling(context, part, trial.arrangement, trial.faces));
-  return result;
+  return {std::nullopt, {no_labelling(context, part, arrange(context, part, in_likeliest_shapes(cheapest)))}};
 }
 
 }  // namespace croquis::silhouette

@@ -89,19 +89,6 @@ const GluingStep& covered_step(const Stacks& stacks, const ContourCrossing::Stra
   return stacks.layers[before.more] > stacks.layers[after.more] ? before : after;
 }
 
-/// Per face its largest triangle: area and middle.
-std::vector<std::pair<double, Vec2>> largest_triangles(const Arrangement& arrangement, const Faces& faces) {
-  std::vector<std::pair<double, Vec2>> largest(faces.area.size(), {-1.0, Vec2::Zero()});
-  for (Index t = 0; t < faces.of_triangle.size(); ++t) {
-    const auto& [a, b, c] = faces.triangulation.triangles[t];
-    const Points& p = arrangement.points;
-    const double area = cross(p[b] - p[a], p[c] - p[a]);
-    auto& best = largest[faces.of_triangle[t]];
-    if (area > best.first) best = {area, (p[a] + p[b] + p[c]) / 3};
-  }
-  return largest;
-}
-
 /// One overlap of components for each connected region of pairs of panels, placed in the largest triangle it covers.
 std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const Faces& faces, const Stacks& stacks) {
   DisjointSets sets(stacks.first_pair.back());
@@ -111,16 +98,19 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
       sets.unite(stacks.pair(step.more, above, below), stacks.pair(step.fewer, step.across(above), step.across(below)));
     });
   }
-  const std::vector<std::pair<double, Vec2>> largest = largest_triangles(arrangement, faces);
-  std::map<Index, std::pair<double, FigureOverlap>> regions;
-  for (Index f = 0; f < stacks.layers.size(); ++f) {
+  std::map<Index, std::pair<double, FigureOverlap>> regions;  // with the area of the triangle
+  for (Index t = 0; t < faces.of_triangle.size(); ++t) {
+    const Index f = faces.of_triangle[t];
+    const auto& [a, b, c] = faces.triangulation.triangles[t];
+    const Points& p = arrangement.points;
+    const double area = cross(p[b] - p[a], p[c] - p[a]);
     stacks.pairs_of(f, [&](Index above, Index below) {
-      auto& [area, overlap] =
-          regions.try_emplace(sets.root(stacks.pair(f, above, below)), -1.0, FigureOverlap{}).first->second;
-      if (largest[f].first <= area) return;
-      area = largest[f].first;
-      overlap = {
-          largest[f].second, stacks.component[stacks.panel(f, above)], stacks.component[stacks.panel(f, below)], {}};
+      auto& [largest, overlap] = regions[sets.root(stacks.pair(f, above, below))];
+      if (area <= largest) return;
+      largest = area;
+      overlap.at = (p[a] + p[b] + p[c]) / 3;
+      overlap.upper = stacks.component[stacks.panel(f, above)];
+      overlap.lower = stacks.component[stacks.panel(f, below)];
     });
   }
   // The sheets that end at a crossing lie above one another in one of the four faces around it: that pair of panels has
@@ -139,7 +129,7 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
   return overlaps;
 }
 
-void add_contours(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {
+void add_labelled(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {
   figure.contours = arrangement.contours;
   for (Index c = 0; c < figure.contours.size(); ++c) figure.contours[c].side = labelling.side[c];
   figure.arcs = arrangement.arcs;
@@ -221,7 +211,7 @@ std::optional<LabelledFigure> build_figure(const FigureContext& context, const C
   figure.segment_arc = arrangement.segment_arc;
   figure.completions = closed.completions;
   for (const ContourPath& path : closed.paths) figure.raw_contours.push_back(path.raw);
-  add_contours(arrangement, labelling, figure);
+  add_labelled(arrangement, labelling, figure);
   figure.panels = static_cast<int>(stacks.first_panel.back());
   figure.overlaps = find_overlaps(arrangement, faces, stacks);
   add_objects(context.drawing, closed, *component, figure);

@@ -18,10 +18,10 @@ constexpr double rule_cost = 2500;
 // Area decides only between labellings of equal depth.
 constexpr double area_cost = 0.01;
 // Drawings need a handful of nodes; this bounds the rest.
-constexpr int maximum_nodes = 5000;
+constexpr int labelling_nodes = 5000;
 // Any rule that can be broken explains something.
-constexpr int maximum_blaming_nodes = 40;
-constexpr double any = IntegerProgram::unbounded;
+constexpr int blaming_nodes = 40;
+constexpr double unbounded = IntegerProgram::unbounded;
 
 using Terms = std::vector<IntegerProgram::Term>;
 
@@ -47,7 +47,7 @@ struct LabellingProgram {
 };
 
 /// (f) for arcs.
-void add_arcs(LabellingProgram& labels) {
+void add_depths(LabellingProgram& labels) {
   for (Index e = 0; e < labels.arrangement.arcs.size(); ++e) {
     const bool visible = labels.arrangement.arcs[e].visible;
     const bool is_known = labels.arrangement.may_be_covered[e] == 0;
@@ -56,11 +56,11 @@ void add_arcs(LabellingProgram& labels) {
     labels.depth.push_back(n);
     if (strict || !is_known) continue;
     const Index slack = labels.add_slack(visible ? deepest : 1, slack_cost, e, labels.arc_slacks);
-    labels.program.add_row({{n, 1}, {slack, visible ? -1.0 : 1.0}}, visible ? -any : 1, visible ? 0 : any);
+    labels.program.add_row({{n, 1}, {slack, visible ? -1.0 : 1.0}}, visible ? -unbounded : 1, visible ? 0 : unbounded);
   }
 }
 
-void add_contours(LabellingProgram& labels) {
+void add_sides(LabellingProgram& labels) {
   const Faces& faces = labels.faces;
   const double whole = std::max(std::accumulate(faces.area.begin(), faces.area.end(), 0.0), 1e-300);
   for (Index c = 0; c < labels.arrangement.contours.size(); ++c) {
@@ -86,7 +86,7 @@ void add_step(const ContourCrossing::Strand& strand, Index crossing, Terms terms
 
 /// (c) and (d), for each strand as the upper one: it is that where base + slope x = 1, and y is the product of this and
 /// its o.
-void add_crossing(Index k, LabellingProgram& labels) {
+void add_crossing_rules(Index k, LabellingProgram& labels) {
   const ContourCrossing& crossing = labels.arrangement.crossings[k];
   IntegerProgram& program = labels.program;
   const Index x = program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0);
@@ -105,15 +105,15 @@ void add_crossing(Index k, LabellingProgram& labels) {
     Index y = o;
     if (crossing.over == no_index) {
       y = program.add_variable(0, 1, 0);
-      program.add_row({{y, 1}, {x, -slope}}, -any, base);
-      program.add_row({{y, 1}, {o, -1}}, -any, 0);
-      program.add_row({{y, 1}, {x, -slope}, {o, -1}}, base - 1, any);
+      program.add_row({{y, 1}, {x, -slope}}, -unbounded, base);
+      program.add_row({{y, 1}, {o, -1}}, -unbounded, 0);
+      program.add_row({{y, 1}, {x, -slope}, {o, -1}}, base - 1, unbounded);
     }
     add_step(lower, k, {{y, -2 * turn}, {x, turn * slope}}, -turn * base, labels);
     for (const Index above : {upper.before, upper.after}) {
       for (const Index below : {lower.before, lower.after}) {
         if (above == below) continue;
-        program.add_row({{labels.depth[above], 1}, {labels.depth[below], -1}, {x, deepest * slope}}, -any,
+        program.add_row({{labels.depth[above], 1}, {labels.depth[below], -1}, {x, deepest * slope}}, -unbounded,
                         deepest * (1 - base));
       }
     }
@@ -139,13 +139,13 @@ void add_layer_rules(LabellingProgram& labels) {
     if (labels.rules == LabellingRules::Blame) labels.add_slack(deepest, rule_cost, f, labels.face_slacks);
     Terms terms;
     const double turns = add_layers(labels, f, 1, terms);
-    if (!terms.empty()) labels.program.add_row(std::move(terms), turns, any);
+    if (!terms.empty()) labels.program.add_row(std::move(terms), turns, unbounded);
   }
   for (Index arc = 0; arc < labels.arrangement.arcs.size(); ++arc) {
     Terms terms{{labels.depth[arc], 2}};
     double turns = 0;
     for (const Index face : labels.faces.beside_arc[arc]) turns += add_layers(labels, face, -1, terms);
-    labels.program.add_row(std::move(terms), -any, turns - 1);
+    labels.program.add_row(std::move(terms), -unbounded, turns - 1);
   }
 }
 
@@ -153,12 +153,12 @@ void add_layer_rules(LabellingProgram& labels) {
 
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules) {
   LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}, {}};
-  add_arcs(labels);
-  add_contours(labels);
-  for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing(k, labels);
+  add_depths(labels);
+  add_sides(labels);
+  for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing_rules(k, labels);
   add_layer_rules(labels);
   const std::vector<int> values =
-      labels.program.solve(rules == LabellingRules::Blame ? maximum_blaming_nodes : maximum_nodes).values;
+      labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes).values;
   Labelling result;
   if (values.empty()) return result;
   const auto broken = [&](const Slacks& slacks) {
