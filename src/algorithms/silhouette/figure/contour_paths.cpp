@@ -66,13 +66,14 @@ ContourPath path_between_bars(const ChosenEnds& ends, Index index, bool forward)
   return path;
 }
 
-struct HiddenCurve {
-  Points points;
-  std::vector<Index> stroke;  ///< per point
-};
+ContourPath hidden_piece(Points points, const std::vector<Index>& strokes, Index choice) {
+  ContourPath piece{points, {}, std::move(points), {}};
+  for (const Index stroke : strokes) piece.segments.push_back({ContourSegment::Drawn::No, stroke, no_index, choice});
+  return piece;
+}
 
 /// The completion from an end on.
-HiddenCurve completed_curve(const ChosenEnds& ends, Index choice, Index leaving) {
+ContourPath completed_piece(const ChosenEnds& ends, Index choice, Index leaving) {
   const CompletionCandidate& candidate = ends.part.candidates[ends.chosen[choice].candidate];
   const std::vector<CleanLine>& lines = ends.context.lines;
   std::array<Vec2, 4> bezier = candidate.bezier;
@@ -83,36 +84,30 @@ HiddenCurve completed_curve(const ChosenEnds& ends, Index choice, Index leaving)
   const double step = ends.context.scale.step;
   Points points = shaped_points(bezier, completion_shapes[kept ? 0 : shape], step);
   if (kept) points = kept_behind(std::move(points), lines[end.bar], end.bar_side, step);
-  const std::size_t count = points.size();
-  return {std::move(points), std::vector<Index>(count, lines[end.line].end_stroke(end.at_start))};
+  const std::vector<Index> strokes(points.size(), lines[end.line].end_stroke(end.at_start));
+  return hidden_piece(std::move(points), strokes, choice);
 }
 
 /// A known piece, between the places behind their bars that the two ends were carried on to.
-HiddenCurve given_curve(const ChosenEnds& ends, const GivenPiece& given, Index leaving, Index arriving) {
-  HiddenCurve all{given.points, given.stroke};
-  if (given.from != ends.part.ends[leaving]) {
-    std::ranges::reverse(all.points);
-    std::ranges::reverse(all.stroke);
-  }
+ContourPath given_piece(const ChosenEnds& ends, const GivenPiece& given, Index choice, Index leaving, Index arriving) {
   const auto carried_on = [&](const HiddenEnd& end) { return ends.context.lines[end.line].end(end.at_start); };
-  const Vec2 first = carried_on(ends.end(leaving));
-  const Vec2 last = carried_on(ends.end(arriving));
   const auto is_clear = [&](const Vec2& place, const HiddenEnd& end) {
     return (place - end.at).norm() >= clearance * (carried_on(end) - end.at).norm();
   };
-  HiddenCurve result{{first}, {all.stroke.front()}};
-  for (std::size_t i = 0; i < all.points.size(); ++i) {
-    if (!is_clear(all.points[i], ends.end(leaving)) || !is_clear(all.points[i], ends.end(arriving))) continue;
-    result.points.push_back(all.points[i]);
-    result.stroke.push_back(all.stroke[i]);
+  const bool forward = given.from == ends.part.ends[leaving];
+  Points points{carried_on(ends.end(leaving))};
+  std::vector<Index> strokes{forward ? given.stroke.front() : given.stroke.back()};
+  for (std::size_t k = 0; k < given.points.size(); ++k) {
+    const std::size_t i = forward ? k : given.points.size() - 1 - k;
+    if (!is_clear(given.points[i], ends.end(leaving)) || !is_clear(given.points[i], ends.end(arriving))) continue;
+    points.push_back(given.points[i]);
+    strokes.push_back(given.stroke[i]);
   }
-  if (result.points.size() == 1) {
-    result.points.emplace_back(0.5 * (first + last));
-    result.stroke.push_back(all.stroke.front());
-  }
-  result.points.push_back(last);
-  result.stroke.push_back(all.stroke.back());
-  return result;
+  points.push_back(carried_on(ends.end(arriving)));
+  strokes.push_back(forward ? given.stroke.back() : given.stroke.front());
+  ContourPath piece = hidden_piece(std::move(points), strokes, choice);
+  piece.strokes = std::move(strokes);
+  return piece;
 }
 
 /// Appends a piece but its last point, with which the next one begins. A stroke that is hidden in between comes as
@@ -131,14 +126,11 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
   const Index choice = ends.choice[leaving];
   const CompletionCandidate& candidate = ends.part.candidates[ends.chosen[choice].candidate];
   const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
-  const bool is_given = candidate.given != no_index;
-  HiddenCurve curve = is_given ? given_curve(ends, ends.context.junctions.given[candidate.given], leaving, arriving)
-                               : completed_curve(ends, choice, leaving);
-  ContourPath piece{curve.points, {}, curve.points, is_given ? curve.stroke : std::vector<Index>{}};
-  for (const Index stroke : curve.stroke)
-    piece.segments.push_back({ContourSegment::Drawn::No, stroke, no_index, choice});
+  ContourPath piece = candidate.given == no_index
+                          ? completed_piece(ends, choice, leaving)
+                          : given_piece(ends, ends.context.junctions.given[candidate.given], choice, leaving, arriving);
   append_piece(piece, path);
-  result.completions.push_back({std::move(curve.points), static_cast<Index>(result.paths.size()), candidate.cost});
+  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost});
   return arriving;
 }
 

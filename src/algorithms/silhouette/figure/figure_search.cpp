@@ -183,10 +183,9 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
   for (const CompletionCandidate& candidate : part.candidates) {
     edges.push_back({candidate.a, candidate.b, std::min(candidate.cost, cost_left_out)});
   }
-  const std::vector<Index> none;
   NamedStrokes left_out;
   MatchingSearch search(static_cast<Index>(part.ends.size()), edges, branches_for_failure);
-  for (const Index edge : search.next().value_or(none)) {
+  for (const Index edge : search.next().value_or(Matching{})) {
     if (edge >= part.ends.size()) continue;
     const HiddenEnd& end = context.junctions.ends[part.ends[edge]];
     left_out.add(context.drawing, context.lines[end.line].end_stroke(end.at_start), end.at);

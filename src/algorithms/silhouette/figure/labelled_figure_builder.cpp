@@ -27,7 +27,7 @@ struct GluingStep {
 
 /// The stacks of panels and how they are connected.
 struct Stacks {
-  std::vector<Index> layers;          ///< per face
+  std::vector<Index> layers;          ///< per face: w
   std::vector<GluingStep> steps;      ///< per arc
   std::vector<Index> first_panel{0};  ///< per face, one more at the end; panel (f, i) is first_panel[f] + i
   std::vector<Index> first_pair{0};   ///< the same for pairs of panels of a face
@@ -47,8 +47,9 @@ struct Stacks {
 
 Stacks stacks_of(const Faces& faces, const Labelling& labelling) {
   Stacks stacks;
-  for (const int w : face_layers(faces, labelling.side)) {
-    const auto layers = static_cast<Index>(w);
+  for (const std::vector<int>& winding : faces.winding) {
+    const std::vector<int>& side = labelling.side;
+    const auto layers = static_cast<Index>(std::inner_product(winding.begin(), winding.end(), side.begin(), 0));
     stacks.layers.push_back(layers);
     stacks.first_panel.push_back(stacks.first_panel.back() + layers);
     stacks.first_pair.push_back(stacks.first_pair.back() + (layers == 0 ? 0 : layers * (layers - 1) / 2));

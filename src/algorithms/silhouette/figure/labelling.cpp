@@ -177,12 +177,4 @@ Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, 
   return result;
 }
 
-std::vector<int> face_layers(const Faces& faces, const std::vector<int>& side) {
-  std::vector<int> layers;
-  for (const std::vector<int>& winding : faces.winding) {
-    layers.push_back(std::inner_product(winding.begin(), winding.end(), side.begin(), 0));
-  }
-  return layers;
-}
-
 }  // namespace croquis::silhouette

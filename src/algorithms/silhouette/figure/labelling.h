@@ -37,7 +37,4 @@ enum class LabellingRules {
 /// @param arrangement its contours' sides are kept where they are known
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules);
 
-/// w: the number of surfaces in each face.
-std::vector<int> face_layers(const Faces& faces, const std::vector<int>& side);
-
 }  // namespace croquis::silhouette
