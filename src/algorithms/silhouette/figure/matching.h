@@ -8,7 +8,7 @@
 
 namespace croquis::silhouette {
 
-/// A pair that may be matched, at a price.
+/// A pair that may be matched, at a price; a node with itself: it may be left out.
 struct MatchingEdge {
   Index a = 0;
   Index b = 0;
