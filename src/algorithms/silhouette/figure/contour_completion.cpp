@@ -2,50 +2,130 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
+#include <ranges>
+#include <span>
 #include <utility>
 
-#include "algorithms/silhouette/figure/hidden_caps.h"
 #include "algorithms/silhouette/figure/hidden_strips.h"
-#include "croquis/geometry/polyline.h"
+#include "algorithms/silhouette/reading/reading_costs.h"
+#include "algorithms/silhouette/strokes/covered_runs.h"
 
 namespace croquis::silhouette {
 namespace {
 
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 // Midpoint rule over so many pieces: the bending of a half circle is right to 0.1 %.
 constexpr int integration_pieces = 24;
-// Bending away from the surface costs this much more than bending round it.
-constexpr double concave_factor = 5;
-
-// What is missing in front of a piece, in terms of cost: a covered piece is preferred to one that lies in the open
-// unless that is very much shorter.
-constexpr double bare_cost = 3;
-// Joining two lines that go round something on opposite sides costs so much more.
-constexpr double disagreement_cost = 15;
-// So many candidates of an end are judged by what covers them.
+// A cap turns round by at most so much: half a turn for a limb's end, more where the line is mostly hidden.
+constexpr double most_cap_turn = 1.6 * std::numbers::pi;
+// Directions at the ends are known so well, all in all.
+constexpr double turn_tolerance = 1;
+// So many candidates of an end are judged by what covers them, by so many chords.
 constexpr std::size_t judged_candidates = 8;
-// A piece is judged by so many chords.
 constexpr int judged_pieces = 20;
 
-struct Derivatives {
-  Vec2 first;
-  Vec2 second;
+/// What is seen of an open line.
+struct SeenLine {
+  std::array<const HiddenEnd*, 2> ends{};  ///< at its start and end, null where it has none
+  double turning = 0;                      ///< from its first to its last direction
+  /// How sure it is that the surface lies on the side that it bends round: 1 for a line that nearly closes, 0 for one
+  /// whose ends are farther apart than half its length.
+  double roundness = 0;
+  int handle = 0;  ///< outer (+1) or inner side (-1) of a handle: of two lines from one thing one goes round the other
 };
 
-Derivatives derivatives_at(const std::array<Vec2, 4>& p, double t) {
-  const double s = 1 - t;
-  return {3 * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1]) + t * t * (p[3] - p[2])),
-          6 * (s * (p[2] - 2 * p[1] + p[0]) + t * (p[3] - 2 * p[2] + p[1]))};
+double turning_of(std::span<const Vec2> points) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec2 before = points[i] - points[i - 1];
+    const Vec2 after = points[i + 1] - points[i];
+    sum += std::atan2(cross(before, after), before.dot(after));
+  }
+  return sum;
+}
+
+bool same_bars(const SeenLine& a, const SeenLine& b) {
+  return std::minmax(a.ends[0]->bar, a.ends[1]->bar) == std::minmax(b.ends[0]->bar, b.ends[1]->bar);
+}
+
+/// O(l² #P) for the l lines with two ends.
+std::vector<SeenLine> seen_lines(const std::vector<CleanLine>& lines, const Junctions& junctions) {
+  std::vector<SeenLine> seen(lines.size());
+  for (const HiddenEnd& end : junctions.ends) seen[end.line].ends[end.at_start ? 0 : 1] = &end;
+  std::vector<Index> free;
+  for (Index line = 0; line < lines.size(); ++line) {
+    if (lines[line].closed) continue;
+    const Points& points = lines[line].points;
+    seen[line].turning = turning_of(points);
+    seen[line].roundness = std::max(0.0, 1 - 2 * (points.back() - points.front()).norm() / length(points, false));
+    const bool hidden = seen[line].ends[0] != nullptr && seen[line].ends[1] != nullptr;
+    if (hidden && junctions.sides[line] == 0) free.push_back(line);
+  }
+  for (const Index inner : free) {
+    const Vec2& middle = lines[inner].points[lines[inner].points.size() / 2];
+    for (const Index outer : free) {
+      if (inner == outer || !same_bars(seen[inner], seen[outer]) || !encloses(lines[outer], middle)) continue;
+      seen[inner].handle = -1;
+      seen[outer].handle = 1;
+    }
+  }
+  return seen;
+}
+
+/// Where the surface lies when a line is walked outward through one of its ends: left (+1), right (-1), not known (0).
+int outward_side(const Junctions& junctions, const HiddenEnd& end) {
+  return end.at_start ? -junctions.sides[end.line] : junctions.sides[end.line];
 }
 
 bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& a, const HiddenEnd& b) {
   const std::string& first = lines[a.line].object;
   const std::string& second = lines[b.line].object;
   if (!first.empty() && !second.empty() && first != second) return false;
-  const int side_a = outward_side(junctions, a);
-  const int side_b = -outward_side(junctions, b);
-  return side_a == 0 || side_b == 0 || side_a == side_b;
+  return outward_side(junctions, a) * outward_side(junctions, b) <= 0;
+}
+
+/// Whether the outline through a, along the curve and back along the line of b closes a limb: it goes round once, with
+/// its surface inside as far as that is known, and its caps only turn the way that all of it does. A limb is one line
+/// (an ear), or two lines between the same two things (a neck).
+bool turns_once(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<SeenLine>& seen,
+                const HiddenEnd& a, const HiddenEnd& b, const Cubic& curve) {
+  const auto outward = [&](const HiddenEnd& end) { return (end.at_start ? -1 : 1) * seen[end.line].turning; };
+  // A curve without inflection of its handles turns like its control polygon.
+  std::vector<double> caps{turning_of(curve)};
+  double whole = outward(a) + caps[0];
+  if (a.line != b.line) {
+    // What other lines end at is more likely a strand that goes on than a limb.
+    if (junctions.sides[a.line] != 0 || junctions.sides[b.line] != 0) return false;
+    const HiddenEnd* far_a = seen[a.line].ends[a.at_start ? 1 : 0];
+    const HiddenEnd* far_b = seen[b.line].ends[b.at_start ? 1 : 0];
+    if (far_a == nullptr || far_b == nullptr || a.bar != b.bar || far_a->bar != far_b->bar || a.bar == far_a->bar) {
+      return false;
+    }
+    caps.push_back(turning_of(completion_curve(lines[b.line].end(far_b->at_start), far_b->tangent,
+                                               lines[a.line].end(far_a->at_start), far_a->tangent)));
+    whole += caps[1] - outward(b);
+  }
+  const int sense = whole > 0 ? 1 : -1;
+  return std::abs(std::abs(whole) - 2 * std::numbers::pi) < turn_tolerance && whole * outward_side(junctions, a) >= 0 &&
+         std::ranges::all_of(caps, [&](double cap) { return sense * cap >= 0 && sense * cap <= most_cap_turn; });
+}
+
+/// What a piece costs at most, since it closes a limb.
+double highest_cost(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<SeenLine>& seen,
+                    const HiddenEnd& a, const HiddenEnd& b, const Cubic& curve) {
+  if (a.line != b.line) {
+    // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
+    const double certain = 1 - junctions.tremble;
+    return certain > 0 && turns_once(lines, junctions, seen, a, b, curve) ? costs::limb_cap / certain : no_limit;
+  }
+  const SeenLine& line = seen[a.line];
+  // A line that passes behind itself goes on there, and a handle's two sides belong together.
+  if (a.bar == a.line || b.bar == b.line || line.handle != 0) return no_limit;
+  const double round = line.roundness > 0 ? costs::round_cap / line.roundness : no_limit;
+  return turns_once(lines, junctions, seen, a, b, curve) ? std::min(round, costs::limb_cap) : round;
 }
 
 /// Per end: the known piece that it belongs to.
@@ -58,132 +138,164 @@ std::vector<Index> given_pieces_of(const Junctions& junctions) {
   return piece;
 }
 
-}  // namespace
-
-bool CompletionJudge::judge(CompletionCandidate& candidate) const {
-  if (candidate.judged || candidate.given != no_index) return false;
-  candidate.judged = true;
-  std::array<double, completion_shapes.size()> price{};
-  for (Index shape = 0; shape < price.size(); ++shape) {
-    price[shape] = bare_cost * cover_.missing(shaped_chords(candidate.bezier, completion_shapes[shape], judged_pieces));
-    if (shape == 0 && price[shape] <= 0) return false;
-  }
-  std::stable_sort(candidate.shapes.begin(), candidate.shapes.end(),
-                   [&](std::uint8_t a, std::uint8_t b) { return price[a] < price[b]; });
-  const double before = candidate.cost;
-  const double least = price[candidate.shapes.front()];
-  candidate.cost = strip_cost(candidate.plain_cost + least, candidate.strip_factor);
-  if (least > 0 && candidate.one_bar) candidate.shapes.insert(candidate.shapes.begin(), kept_behind_shape);
-  return candidate.cost > before;
-}
-
+/// The few cheapest candidates of every end, ascending; dearer ones aren't worth judging.
+/// @param ends how many there are
 std::vector<Index> likely_candidates(std::size_t ends, const std::vector<CompletionCandidate>& candidates) {
-  std::vector<std::vector<Index>> of_end(ends);
+  std::vector<std::vector<std::pair<double, Index>>> of_end(ends);
   for (Index c = 0; c < candidates.size(); ++c) {
     if (candidates[c].given != no_index) continue;
-    of_end[candidates[c].a].push_back(c);
-    of_end[candidates[c].b].push_back(c);
+    for (const Index end : {candidates[c].a, candidates[c].b}) of_end[end].emplace_back(candidates[c].cost(), c);
   }
   std::vector<Index> likely;
-  for (std::vector<Index>& own : of_end) {
-    const auto last = own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), judged_candidates));
-    std::partial_sort(own.begin(), last, own.end(), [&](Index a, Index b) {
-      return std::pair(candidates[a].cost, a) < std::pair(candidates[b].cost, b);
-    });
-    likely.insert(likely.end(), own.begin(), last);
+  for (auto& own : of_end) {
+    std::ranges::sort(own);
+    if (own.size() > judged_candidates) own.resize(judged_candidates);
+    for (const auto& [cost, candidate] : own) likely.push_back(candidate);
   }
-  std::sort(likely.begin(), likely.end());
+  std::ranges::sort(likely);
   likely.erase(std::unique(likely.begin(), likely.end()), likely.end());
   return likely;
 }
 
-double completion_cost(const std::array<Vec2, 4>& curve, int side, double reference, const CompletionOptions& options) {
+/// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
+void judge(const DrawnCover& cover, bool one_bar, CompletionCandidate& candidate) {
+  std::array<double, completion_shapes.size()> open{};
+  for (const std::uint8_t shape : candidate.shapes) {
+    const Points chords = completion_chords(candidate.curve, completion_shapes[shape], judged_pieces);
+    open[shape] = costs::in_the_open * cover.missing(chords);
+    if (shape == 0 && open[shape] <= 0) return;
+  }
+  std::ranges::stable_sort(candidate.shapes, {}, [&](std::uint8_t shape) { return open[shape]; });
+  candidate.open = open[candidate.shapes.front()];
+  if (candidate.open > 0 && one_bar) candidate.shapes.insert(candidate.shapes.begin(), kept_behind_shape);
+}
+
+double first_step(const CleanLine& line) { return (line.points[1] - line.points[0]).norm(); }
+
+}  // namespace
+
+double CompletionCandidate::cost() const {
+  const double alone = std::min(shape_cost + opposition, most) + open;
+  return strip < 1 ? std::min(strip * alone, costs::strip_side) : strip * alone;
+}
+
+double completion_cost(const Cubic& p, int side, double reference, const CompletionOptions& options) {
   double length = 0;
   double bending = 0;
   for (int i = 0; i < integration_pieces; ++i) {
-    const Derivatives d = derivatives_at(curve, (i + 0.5) / integration_pieces);
-    const double speed = d.first.norm();
-    if (!(speed > 0)) return std::numeric_limits<double>::infinity();
+    const double t = (i + 0.5) / integration_pieces;
+    const double s = 1 - t;
+    const Vec2 first = 3 * (s * s * (p[1] - p[0]) + 2 * s * t * (p[2] - p[1]) + t * t * (p[3] - p[2]));
+    const Vec2 second = 6 * (s * (p[2] - 2 * p[1] + p[0]) + t * (p[3] - 2 * p[2] + p[1]));
+    const double speed = first.norm();
+    if (!(speed > 0)) return no_limit;
     length += speed / integration_pieces;
-    const double turn = cross(d.first, d.second);
-    const double factor = turn * side < 0 ? concave_factor : 1;
+    const double turn = cross(first, second);
+    const double factor = turn * side < 0 ? costs::bent_away : 1;
     bending += factor * turn * turn / (speed * speed * speed * speed * speed) / integration_pieces;
   }
-  return options.length_weight * length / reference + options.curvature_weight * (curve[3] - curve[0]).norm() * bending;
+  return options.length_weight * length / reference + options.curvature_weight * (p[3] - p[0]).norm() * bending;
 }
 
 double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
-  std::vector<Vec2> places;
   const std::vector<Index> given = given_pieces_of(junctions);
+  std::vector<Vec2> places;
   for (Index e = 0; e < junctions.ends.size(); ++e) {
     const HiddenEnd& end = junctions.ends[e];
     if (given[e] == no_index) places.push_back(lines[end.line].end(end.at_start));
   }
-  std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
+  if (places.empty()) return 0;
+  std::vector<double> nearest(places.size(), no_limit);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const double distance = (places[k] - places[i]).norm();
-      nearest[i] = std::min(nearest[i], distance);
-      nearest[k] = std::min(nearest[k], distance);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (k != i) nearest[i] = std::min(nearest[i], (places[k] - places[i]).norm());
     }
   }
-  if (nearest.empty()) return 0;
   const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
+  std::ranges::nth_element(nearest, middle);
   return *middle;
 }
 
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                                        const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
-  std::vector<CompletionCandidate> candidates;
   const std::vector<Index> given = given_pieces_of(junctions);
-  const HiddenCaps caps(lines, junctions);
+  const std::vector<SeenLine> seen = seen_lines(lines, junctions);
+  const auto end_at = [&](Index position) -> const HiddenEnd& { return junctions.ends[ends[position]]; };
+  // Where the surface most likely lies: a line that goes round something bounds it.
   std::vector<int> side;
-  side.reserve(ends.size());
-  for (const Index end : ends) side.push_back(caps.outward_side(junctions.ends[end]));
+  for (Index i = 0; i < ends.size(); ++i) {
+    const HiddenEnd& end = end_at(i);
+    const bool left = (signed_area(lines[end.line].points) >= 0) == (seen[end.line].handle >= 0);
+    const int known = outward_side(junctions, end);
+    side.push_back(known != 0 ? known : left == end.at_start ? -1 : 1);
+  }
+  std::vector<CompletionCandidate> candidates;
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
-      const HiddenEnd& a = junctions.ends[ends[i]];
-      const HiddenEnd& b = junctions.ends[ends[k]];
+      const HiddenEnd& a = end_at(i);
+      const HiddenEnd& b = end_at(k);
       if (given[ends[i]] != given[ends[k]]) continue;
-      if (given[ends[i]] != no_index) {
-        CompletionCandidate known;
-        known.a = i;
-        known.b = k;
-        known.given = given[ends[i]];
-        candidates.push_back(known);
-        continue;
+      CompletionCandidate candidate{i, k, given[ends[i]]};
+      if (candidate.given == no_index) {
+        if (!(reference > 0) || !may_join(lines, junctions, a, b)) continue;
+        const Vec2& from = lines[a.line].end(a.at_start);
+        const Vec2& to = lines[b.line].end(b.at_start);
+        // No curve is shorter than its chord.
+        if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
+        candidate.curve = completion_curve(from, a.tangent, to, b.tangent);
+        const int agreed = side[i] == -side[k] ? side[i] : 0;
+        candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
+        if (agreed == 0) {
+          candidate.opposition = costs::opposite_sides * std::min(seen[a.line].roundness, seen[b.line].roundness);
+        }
+        candidate.most = highest_cost(lines, junctions, seen, a, b, candidate.curve);
+        if (candidate.cost() > options.maximum_cost) continue;
       }
-      if (!(reference > 0) || !may_join(lines, junctions, a, b)) continue;
-      const Vec2& from = lines[a.line].end(a.at_start);
-      const Vec2& to = lines[b.line].end(b.at_start);
-      // No curve is shorter than its chord.
-      if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
-      CompletionCandidate candidate;
-      candidate.a = i;
-      candidate.b = k;
-      candidate.one_bar = a.bar == b.bar && a.bar_side == b.bar_side;
-      candidate.bezier = completion_curve(from, a.tangent, to, b.tangent);
-      const int agreed = side[i] == -side[k] ? side[i] : 0;
-      candidate.plain_cost = completion_cost(candidate.bezier, agreed, reference, options);
-      if (agreed == 0)
-        candidate.plain_cost += disagreement_cost * std::min(caps.roundness(a.line), caps.roundness(b.line));
-      candidate.plain_cost = std::min(candidate.plain_cost, caps.highest_cost(a, b, candidate.bezier));
-      if (candidate.plain_cost > options.maximum_cost) continue;
-      candidates.push_back(candidate);
+      candidates.push_back(std::move(candidate));
     }
   }
   // A straight line goes round neither of its sides.
   for (Index i = 0; i < ends.size(); ++i) {
-    const HiddenEnd& end = junctions.ends[ends[i]];
-    if (outward_side(junctions, end) == 0 && caps.roundness(end.line) <= 0) side[i] = 0;
+    if (outward_side(junctions, end_at(i)) == 0 && seen[end_at(i).line].roundness <= 0) side[i] = 0;
   }
   favour_strips(lines, junctions, ends, side, candidates);
-  for (CompletionCandidate& candidate : candidates) {
-    candidate.cost = strip_cost(candidate.plain_cost, candidate.strip_factor);
+  const DrawnCover cover(lines, junctions);
+  for (const Index likely : likely_candidates(ends.size(), candidates)) {
+    const HiddenEnd& a = end_at(candidates[likely].a);
+    const HiddenEnd& b = end_at(candidates[likely].b);
+    judge(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidates[likely]);
   }
   return candidates;
+}
+
+DrawnCover::DrawnCover(const std::vector<CleanLine>& lines, const Junctions& junctions)
+    : grid_(line_segments(lines), std::ranges::max(std::views::transform(lines, first_step))) {
+  for (Index line = 0; line < lines.size(); ++line) {
+    const int round = !lines[line].closed ? 0 : signed_area(lines[line].points) >= 0 ? 1 : -1;
+    sides_.push_back(junctions.sides[line] != 0 ? junctions.sides[line] : round);
+  }
+}
+
+int DrawnCover::missing(const Points& piece) const {
+  std::vector<std::pair<double, int>> changes;  // by place along the piece
+  for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
+    const Vec2& a = piece[i];
+    const Vec2& b = piece[i + 1];
+    grid_.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index k) {
+      const GridSegment& s = grid_.segments()[k];
+      if (!cross_properly(a, b, s.a, s.b)) return;
+      const int to_left = cross(s.b - s.a, b - a) > 0 ? 1 : -1;
+      changes.emplace_back(static_cast<double>(i) + crossing_fraction(a, b, s.a, s.b), to_left * sides_[s.line]);
+    });
+  }
+  std::ranges::sort(changes);
+  int change = 0;
+  int lowest = 0;
+  for (const auto& [place, step] : changes) lowest = std::min(lowest, change += step);
+  // What has fewer surfaces in front at its last end than at its first one went in between behind an edge that is
+  // hidden itself, before it came to where it would lie in the open.
+  return std::max(0, std::min(0, change) - lowest);
 }
 
 }  // namespace croquis::silhouette

@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "algorithms/silhouette/figure/kept_behind.h"
-
 namespace croquis::silhouette {
 namespace {
 
@@ -145,7 +143,8 @@ class Closer {
       path.strokes.insert(path.strokes.end(), curve.stroke.begin(), curve.stroke.end());
     }
     result_.choices.push_back(choice);
-    result_.completions.push_back({std::move(curve.points), static_cast<Index>(result_.paths.size()), candidate.cost});
+    result_.completions.push_back(
+        {std::move(curve.points), static_cast<Index>(result_.paths.size()), candidate.cost()});
     return arriving;
   }
 
@@ -155,14 +154,13 @@ class Closer {
   };
 
   HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
-    std::array<Vec2, 4> curve = candidate.bezier;
+    std::array<Vec2, 4> curve = candidate.curve;
     if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
     const std::uint8_t shape = candidate.shapes[chosen_[choice].shape];
     const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
-    const bool kept = shape == kept_behind_shape;
     const double stretch = choice % 2 == 0 ? stretch_ : -stretch_;
-    HiddenCurve result{shaped_points(curve, completion_shapes[kept ? 0 : shape], spacing_, stretch), {}};
-    if (kept) result.points = kept_behind(std::move(result.points), lines_[end.bar], end.bar_side, spacing_);
+    HiddenCurve result{
+        completion_points(curve, completion_shapes[shape], spacing_, lines_[end.bar], end.bar_side, stretch), {}};
     result.stroke.assign(result.points.size(), lines_[end.line].end_stroke(end.at_start));
     return result;
   }

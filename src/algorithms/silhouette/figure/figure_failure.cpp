@@ -45,7 +45,7 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
     one.push_back({{program.add_variable(0, 1, cost_left_out), 1}});
   }
   for (const CompletionCandidate& candidate : part.candidates) {
-    const Index taken = program.add_variable(0, 1, std::min(candidate.cost, cost_left_out));
+    const Index taken = program.add_variable(0, 1, std::min(candidate.cost(), cost_left_out));
     one[candidate.a].push_back({taken, 1});
     one[candidate.b].push_back({taken, 1});
   }

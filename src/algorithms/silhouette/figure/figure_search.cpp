@@ -58,67 +58,39 @@ PartLines part_of(const FigureContext& context, const std::vector<Index>& lines,
 class Search {
  public:
   Search(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress)
-      : context_(context),
-        progress_(progress),
-        part_(part_of(context, lines, context.options.completion)),
-        judge_(context.lines, context.junctions) {}
+      : context_(context), progress_(progress), part_(part_of(context, lines, context.options.completion)) {}
 
   FigureSearch run() {
-    std::optional<std::vector<Index>> likeliest = likeliest_matching();
-    if (!likeliest) {
+    MatchingSearch matchings = this->matchings();
+    std::optional<std::vector<Index>> chosen = matchings.next();
+    if (!chosen) {
       // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
       CompletionOptions generous = context_.options.completion;
       generous.maximum_cost = std::numeric_limits<double>::max();
       part_ = part_of(context_, part_.lines, generous);
-      likeliest = likeliest_matching();
+      matchings = this->matchings();
+      chosen = matchings.next();
     }
-    return try_matchings(likeliest);
+    FigureSearch result;
+    const std::vector<Index> cheapest = chosen.value_or(std::vector<Index>{});
+    const int most = context_.options.completion.maximum_matchings;
+    int tried = 0;
+    for (; chosen && tried < most && arcs_ < maximum_arcs; chosen = matchings.next()) {
+      progress_.check();
+      result.figure = try_matching(*chosen, tried++ < reshaped_matchings ? maximum_reshapings : 0);
+      if (result.figure) return result;
+    }
+    result.findings.push_back(tried == 0 ? ends_without_partner(context_, part_) : explain(cheapest));
+    return result;
   }
 
  private:
   MatchingSearch matchings() const {
     std::vector<MatchingEdge> edges;
     for (const CompletionCandidate& candidate : part_.candidates) {
-      edges.push_back({candidate.a, candidate.b, candidate.cost});
+      edges.push_back({candidate.a, candidate.b, candidate.cost()});
     }
     return {static_cast<Index>(part_.ends.size()), edges, maximum_branches};
-  }
-
-  /// The cheapest matching when all in it are judged: what isn't costs no less than it seems to.
-  std::optional<std::vector<Index>> likeliest_matching() {
-    for (;;) {
-      std::optional<std::vector<Index>> chosen = matchings().next();
-      if (!chosen) return std::nullopt;
-      bool dearer = false;
-      for (const Index candidate : *chosen) dearer = judge_.judge(part_.candidates[candidate]) || dearer;
-      if (!dearer) return chosen;
-    }
-  }
-
-  FigureSearch try_matchings(const std::optional<std::vector<Index>>& likeliest) {
-    FigureSearch result;
-    const int most = context_.options.completion.maximum_matchings;
-    if (most > 0 && likeliest) {
-      result.figure = try_matching(*likeliest, maximum_reshapings);
-      if (result.figure) return result;
-    }
-    // It can't be labelled: others may be right, and the search among them needs all costs.
-    for (const Index candidate : likely_candidates(part_.ends.size(), part_.candidates)) {
-      judge_.judge(part_.candidates[candidate]);
-    }
-    MatchingSearch matchings = this->matchings();
-    int tried = 0;
-    std::vector<Index> cheapest;
-    while (tried < most && arcs_ < maximum_arcs) {
-      progress_.check();
-      const std::optional<std::vector<Index>> chosen = matchings.next();
-      if (!chosen) break;
-      if (tried++ == 0) cheapest = *chosen;
-      result.figure = try_matching(*chosen, tried <= reshaped_matchings ? maximum_reshapings : 0);
-      if (result.figure) return result;
-    }
-    result.findings.push_back(tried == 0 ? ends_without_partner(context_, part_) : explain(cheapest));
-    return result;
   }
 
   /// The matching with its likeliest shapes, then with others for what would lie in the open.
@@ -232,7 +204,6 @@ class Search {
   const FigureContext& context_;
   const Progress& progress_;
   PartLines part_;
-  CompletionJudge judge_;
   std::size_t arcs_ = 0;  ///< of all matchings so far
   bool first_done_ = false;
 };

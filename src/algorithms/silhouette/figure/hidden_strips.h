@@ -7,12 +7,12 @@
 
 namespace croquis::silhouette {
 
-/// Finds candidates that carry both sides of a strip straight on behind something, at the same width: an arrow
-/// through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden: its sides get
-/// a factor below 1.
+/// Sets the factor of candidates that carry both sides of a strip straight on behind something, at the same width: an
+/// arrow through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden: its sides cost
+/// less.
 ///
-/// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, get one
-/// above 1: they are petals or arms all round.
+/// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, cost
+/// more: they are petals or arms all round.
 ///
 /// Behind something as narrow as another strip, the two sides may be bent aside and less even: there a hand's tremble
 /// turns the ends of strands of knots and chains.
@@ -20,10 +20,5 @@ namespace croquis::silhouette {
 /// O(s²) for s straight candidates.
 void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
                    const std::vector<int>& side, std::vector<CompletionCandidate>& candidates);
-
-/// What a side of a strip costs.
-/// @param plain  by itself
-/// @param factor see favour_strips
-double strip_cost(double plain, double factor);
 
 }  // namespace croquis::silhouette

@@ -17,7 +17,7 @@ constexpr double rule_cost = 2500;
 // Area decides only between labellings of equal depth.
 constexpr double area_cost = 0.01;
 // Drawings need a handful of nodes; this bounds the rest.
-constexpr int maximum_nodes = 5000;
+constexpr int maximum_labelling_nodes = 5000;
 // Any rule that can be broken explains something.
 constexpr int maximum_blaming_nodes = 40;
 
@@ -35,7 +35,7 @@ class Program {
 
   Labelling solve() const {
     const IntegerProgram::Solution solution =
-        program_.solve(rules_ == LabellingRules::Blame ? maximum_blaming_nodes : maximum_nodes);
+        program_.solve(rules_ == LabellingRules::Blame ? maximum_blaming_nodes : maximum_labelling_nodes);
     Labelling result;
     result.status = solution.status;
     if (solution.values.empty()) return result;
