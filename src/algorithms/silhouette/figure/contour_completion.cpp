@@ -27,16 +27,6 @@ constexpr double turn_tolerance = 1;
 constexpr std::size_t judged_candidates = 8;
 constexpr int judged_pieces = 20;
 
-/// What is seen of an open line.
-struct SeenLine {
-  std::array<const HiddenEnd*, 2> ends{};  ///< at its start and end, null where it has none
-  double turning = 0;                      ///< from its first to its last direction
-  /// How sure it is that the surface lies on the side that it bends round: 1 for a line that nearly closes, 0 for one
-  /// whose ends are farther apart than half its length.
-  double roundness = 0;
-  int handle = 0;  ///< outer (+1) or inner side (-1) of a handle: of two lines from one thing one goes round the other
-};
-
 double turning_of(std::span<const Vec2> points) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -47,85 +37,77 @@ double turning_of(std::span<const Vec2> points) {
   return sum;
 }
 
-bool same_bars(const SeenLine& a, const SeenLine& b) {
-  return std::minmax(a.ends[0]->bar, a.ends[1]->bar) == std::minmax(b.ends[0]->bar, b.ends[1]->bar);
-}
-
-/// O(l² #P) for the l lines with two ends.
-std::vector<SeenLine> seen_lines(const std::vector<CleanLine>& lines, const Junctions& junctions) {
-  std::vector<SeenLine> seen(lines.size());
-  for (const HiddenEnd& end : junctions.ends) seen[end.line].ends[end.at_start ? 0 : 1] = &end;
-  std::vector<Index> free;
-  for (Index line = 0; line < lines.size(); ++line) {
-    if (lines[line].closed) continue;
-    const Points& points = lines[line].points;
-    seen[line].turning = turning_of(points);
-    seen[line].roundness = std::max(0.0, 1 - 2 * (points.back() - points.front()).norm() / length(points, false));
-    const bool hidden = seen[line].ends[0] != nullptr && seen[line].ends[1] != nullptr;
-    if (hidden && junctions.sides[line] == 0) free.push_back(line);
-  }
-  for (const Index inner : free) {
-    const Vec2& middle = lines[inner].points[lines[inner].points.size() / 2];
-    for (const Index outer : free) {
-      if (inner == outer || !same_bars(seen[inner], seen[outer]) || !encloses(lines[outer], middle)) continue;
-      seen[inner].handle = -1;
-      seen[outer].handle = 1;
+/// Two lines from one thing, of which one goes round the other, are the two sides of a handle.
+void find_handles(const std::vector<CleanLine>& lines, std::vector<SeenEnd>& ends) {
+  const auto bars = [](const SeenEnd& end) { return std::minmax(end.bar, end.other->bar); };
+  const auto is_free = [](const SeenEnd& end) { return end.other != nullptr && end.side == 0; };
+  for (SeenEnd& inner : ends | std::views::filter(is_free)) {
+    const Points& points = lines[inner.line].points;
+    for (SeenEnd& outer : ends | std::views::filter(is_free)) {
+      if (inner.line == outer.line || bars(inner) != bars(outer)) continue;
+      if (!encloses(lines[outer.line], points[points.size() / 2])) continue;
+      inner.handle = -1;
+      outer.handle = 1;
     }
   }
-  return seen;
 }
 
-/// Where the surface lies when a line is walked outward through one of its ends: left (+1), right (-1), not known (0).
-int outward_side(const Junctions& junctions, const HiddenEnd& end) {
-  return end.at_start ? -junctions.sides[end.line] : junctions.sides[end.line];
-}
-
-bool may_join(const std::vector<CleanLine>& lines, const Junctions& junctions, const HiddenEnd& a, const HiddenEnd& b) {
-  const std::string& first = lines[a.line].object;
-  const std::string& second = lines[b.line].object;
-  if (!first.empty() && !second.empty() && first != second) return false;
-  return outward_side(junctions, a) * outward_side(junctions, b) <= 0;
+/// @param positions of the ends among those of the junctions, ascending
+std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Junctions& junctions,
+                               const std::vector<Index>& positions) {
+  std::vector<SeenEnd> ends;
+  for (const Index position : positions) {
+    SeenEnd end{junctions.ends[position]};
+    const Points& points = lines[end.line].points;
+    const int outward = end.at_start ? -1 : 1;
+    end.place = lines[end.line].end(end.at_start);
+    end.side = outward * junctions.sides[end.line];
+    end.roundness = std::max(0.0, 1 - 2 * (points.back() - points.front()).norm() / length(points, false));
+    end.turning = outward * turning_of(points);
+    ends.push_back(end);
+  }
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // those of one line are neighbours
+    if (ends[i].line != ends[i + 1].line) continue;
+    ends[i].other = &ends[i + 1];
+    ends[i + 1].other = &ends[i];
+  }
+  find_handles(lines, ends);
+  for (SeenEnd& end : ends) {
+    const bool left = (signed_area(lines[end.line].points) >= 0) == (end.handle >= 0);
+    end.likely_side = end.side != 0 ? end.side : left == end.at_start ? -1 : 1;
+  }
+  return ends;
 }
 
 /// Whether the outline through a, along the curve and back along the line of b closes a limb: it goes round once, with
 /// its surface inside as far as that is known, and its caps only turn the way that all of it does. A limb is one line
 /// (an ear), or two lines between the same two things (a neck).
-bool turns_once(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<SeenLine>& seen,
-                const HiddenEnd& a, const HiddenEnd& b, const Cubic& curve) {
-  const auto outward = [&](const HiddenEnd& end) { return (end.at_start ? -1 : 1) * seen[end.line].turning; };
+bool turns_once(const SeenEnd& a, const SeenEnd& b, const Cubic& curve) {
   // A curve without inflection of its handles turns like its control polygon.
   std::vector<double> caps{turning_of(curve)};
-  double whole = outward(a) + caps[0];
+  double whole = a.turning + caps[0];
   if (a.line != b.line) {
     // What other lines end at is more likely a strand that goes on than a limb.
-    if (junctions.sides[a.line] != 0 || junctions.sides[b.line] != 0) return false;
-    const HiddenEnd* far_a = seen[a.line].ends[a.at_start ? 1 : 0];
-    const HiddenEnd* far_b = seen[b.line].ends[b.at_start ? 1 : 0];
-    if (far_a == nullptr || far_b == nullptr || a.bar != b.bar || far_a->bar != far_b->bar || a.bar == far_a->bar) {
-      return false;
-    }
-    caps.push_back(turning_of(completion_curve(lines[b.line].end(far_b->at_start), far_b->tangent,
-                                               lines[a.line].end(far_a->at_start), far_a->tangent)));
-    whole += caps[1] - outward(b);
+    if (a.side != 0 || b.side != 0 || a.other == nullptr || b.other == nullptr) return false;
+    if (a.bar != b.bar || a.other->bar != b.other->bar || a.bar == a.other->bar) return false;
+    caps.push_back(turning_of(completion_curve(b.other->place, b.other->tangent, a.other->place, a.other->tangent)));
+    whole += caps[1] - b.turning;
   }
   const int sense = whole > 0 ? 1 : -1;
-  return std::abs(std::abs(whole) - 2 * std::numbers::pi) < turn_tolerance && whole * outward_side(junctions, a) >= 0 &&
+  return std::abs(sense * whole - 2 * std::numbers::pi) < turn_tolerance && whole * a.side >= 0 &&
          std::ranges::all_of(caps, [&](double cap) { return sense * cap >= 0 && sense * cap <= most_cap_turn; });
 }
 
 /// What a piece costs at most, since it closes a limb.
-double highest_cost(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<SeenLine>& seen,
-                    const HiddenEnd& a, const HiddenEnd& b, const Cubic& curve) {
+double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, double tremble) {
   if (a.line != b.line) {
     // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
-    const double certain = 1 - junctions.tremble;
-    return certain > 0 && turns_once(lines, junctions, seen, a, b, curve) ? costs::limb_cap / certain : no_limit;
+    return tremble < 1 && turns_once(a, b, curve) ? costs::limb_cap / (1 - tremble) : no_limit;
   }
-  const SeenLine& line = seen[a.line];
-  // A line that passes behind itself goes on there, and a handle's two sides belong together.
-  if (a.bar == a.line || b.bar == b.line || line.handle != 0) return no_limit;
-  const double round = line.roundness > 0 ? costs::round_cap / line.roundness : no_limit;
-  return turns_once(lines, junctions, seen, a, b, curve) ? std::min(round, costs::limb_cap) : round;
+  // A line that passes behind itself goes on there, and the two sides of a handle belong together.
+  if (a.bar == a.line || b.bar == b.line || a.handle != 0) return no_limit;
+  const double round = a.roundness > 0 ? costs::round_cap / a.roundness : no_limit;
+  return turns_once(a, b, curve) ? std::min(round, costs::limb_cap) : round;
 }
 
 /// Per end: the known piece that it belongs to.
@@ -136,6 +118,22 @@ std::vector<Index> given_pieces_of(const Junctions& junctions) {
     piece[junctions.given[k].to] = k;
   }
   return piece;
+}
+
+bool may_join(const std::vector<CleanLine>& lines, const SeenEnd& a, const SeenEnd& b) {
+  const std::string& first = lines[a.line].object;
+  const std::string& second = lines[b.line].object;
+  return (first.empty() || second.empty() || first == second) && a.side * b.side <= 0;
+}
+
+/// Gives a candidate its curve, and the costs that what is seen of both lines tells.
+void judge_shape(const SeenEnd& a, const SeenEnd& b, double tremble, double reference, const CompletionOptions& options,
+                 CompletionCandidate& candidate) {
+  const int agreed = a.likely_side == -b.likely_side ? a.likely_side : 0;
+  candidate.curve = completion_curve(a.place, a.tangent, b.place, b.tangent);
+  candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
+  if (agreed == 0) candidate.opposition = costs::opposite_sides * std::min(a.roundness, b.roundness);
+  candidate.most = highest_cost(a, b, candidate.curve, tremble);
 }
 
 /// The few cheapest candidates of every end, ascending; dearer ones aren't worth judging.
@@ -158,7 +156,7 @@ std::vector<Index> likely_candidates(std::size_t ends, const std::vector<Complet
 }
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
-void judge(const DrawnCover& cover, bool one_bar, CompletionCandidate& candidate) {
+void judge_cover(const DrawnCover& cover, bool one_bar, CompletionCandidate& candidate) {
   std::array<double, completion_shapes.size()> open{};
   for (const std::uint8_t shape : candidate.shapes) {
     const Points chords = completion_chords(candidate.curve, completion_shapes[shape], judged_pieces);
@@ -219,52 +217,30 @@ double completion_reference(const std::vector<CleanLine>& lines, const Junctions
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                                        const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
+  const std::vector<SeenEnd> seen = seen_ends(lines, junctions, ends);
   const std::vector<Index> given = given_pieces_of(junctions);
-  const std::vector<SeenLine> seen = seen_lines(lines, junctions);
-  const auto end_at = [&](Index position) -> const HiddenEnd& { return junctions.ends[ends[position]]; };
-  // Where the surface most likely lies: a line that goes round something bounds it.
-  std::vector<int> side;
-  for (Index i = 0; i < ends.size(); ++i) {
-    const HiddenEnd& end = end_at(i);
-    const bool left = (signed_area(lines[end.line].points) >= 0) == (seen[end.line].handle >= 0);
-    const int known = outward_side(junctions, end);
-    side.push_back(known != 0 ? known : left == end.at_start ? -1 : 1);
-  }
   std::vector<CompletionCandidate> candidates;
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
-      const HiddenEnd& a = end_at(i);
-      const HiddenEnd& b = end_at(k);
       if (given[ends[i]] != given[ends[k]]) continue;
       CompletionCandidate candidate{i, k, given[ends[i]]};
       if (candidate.given == no_index) {
-        if (!(reference > 0) || !may_join(lines, junctions, a, b)) continue;
-        const Vec2& from = lines[a.line].end(a.at_start);
-        const Vec2& to = lines[b.line].end(b.at_start);
+        if (!(reference > 0) || !may_join(lines, seen[i], seen[k])) continue;
         // No curve is shorter than its chord.
-        if (options.length_weight * (to - from).norm() > options.maximum_cost * reference) continue;
-        candidate.curve = completion_curve(from, a.tangent, to, b.tangent);
-        const int agreed = side[i] == -side[k] ? side[i] : 0;
-        candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
-        if (agreed == 0) {
-          candidate.opposition = costs::opposite_sides * std::min(seen[a.line].roundness, seen[b.line].roundness);
-        }
-        candidate.most = highest_cost(lines, junctions, seen, a, b, candidate.curve);
+        const double chord = (seen[k].place - seen[i].place).norm();
+        if (options.length_weight * chord > options.maximum_cost * reference) continue;
+        judge_shape(seen[i], seen[k], junctions.tremble, reference, options, candidate);
         if (candidate.cost() > options.maximum_cost) continue;
       }
       candidates.push_back(std::move(candidate));
     }
   }
-  // A straight line goes round neither of its sides.
-  for (Index i = 0; i < ends.size(); ++i) {
-    if (outward_side(junctions, end_at(i)) == 0 && seen[end_at(i).line].roundness <= 0) side[i] = 0;
-  }
-  favour_strips(lines, junctions, ends, side, candidates);
+  favour_strips(lines, seen, junctions.tremble, candidates);
   const DrawnCover cover(lines, junctions);
   for (const Index likely : likely_candidates(ends.size(), candidates)) {
-    const HiddenEnd& a = end_at(candidates[likely].a);
-    const HiddenEnd& b = end_at(candidates[likely].b);
-    judge(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidates[likely]);
+    const SeenEnd& a = seen[candidates[likely].a];
+    const SeenEnd& b = seen[candidates[likely].b];
+    judge_cover(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidates[likely]);
   }
   return candidates;
 }

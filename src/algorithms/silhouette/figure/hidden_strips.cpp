@@ -44,8 +44,7 @@ constexpr double alike_length = 1.6;
 /// One side of what may be a strip.
 struct Side {
   Index candidate = 0;
-  std::array<const HiddenEnd*, 2> ends{};
-  std::array<Vec2, 2> at{Vec2::Zero(), Vec2::Zero()};  ///< where the ends are
+  std::array<const SeenEnd*, 2> ends{};
   Vec2 direction = Vec2::Zero();
   double facing = 1;  ///< cosine between it and the worse of its two ends
   int surface = 0;    ///< on its left (+1) or right (-1), 0 not known
@@ -59,61 +58,58 @@ struct Strip {
 };
 
 /// The candidates that run nearly straight from one end to the other.
-std::vector<Side> straight_sides(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                 const std::vector<Index>& ends, const std::vector<int>& surface,
-                                 const std::vector<CompletionCandidate>& candidates) {
+std::vector<Side> straight_sides(const std::vector<SeenEnd>& ends, const std::vector<CompletionCandidate>& candidates) {
+  // A straight line goes round neither of its sides.
+  const auto surface = [](const SeenEnd& end) { return end.side != 0 || end.roundness > 0 ? end.likely_side : 0; };
   std::vector<Side> sides;
   for (Index c = 0; c < candidates.size(); ++c) {
-    const auto [a, b] = std::pair(candidates[c].a, candidates[c].b);
-    if (candidates[c].given != no_index || surface[a] * surface[b] > 0) continue;
-    Side side{.candidate = c, .ends = {&junctions.ends[ends[a]], &junctions.ends[ends[b]]}};
-    side.surface = surface[a] != 0 ? surface[a] : -surface[b];
-    for (const std::size_t at : {0U, 1U}) side.at[at] = lines[side.ends[at]->line].end(side.ends[at]->at_start);
-    side.direction = (side.at[1] - side.at[0]).normalized();
-    side.facing = std::min(side.ends[0]->tangent.dot(side.direction), -side.ends[1]->tangent.dot(side.direction));
-    if (side.facing >= strand_fit.side_cosine) sides.push_back(side);
+    const SeenEnd& a = ends[candidates[c].a];
+    const SeenEnd& b = ends[candidates[c].b];
+    if (candidates[c].given != no_index || surface(a) * surface(b) > 0) continue;
+    const Vec2 direction = (b.place - a.place).normalized();
+    const double facing = std::min(a.tangent.dot(direction), -b.tangent.dot(direction));
+    if (facing < strand_fit.side_cosine) continue;
+    sides.push_back({c, {&a, &b}, direction, facing, surface(a) != 0 ? surface(a) : -surface(b)});
   }
   return sides;
 }
 
 Strip strip_between(const Side& one, Side other) {
   if (one.direction.dot(other.direction) < 0) {
-    std::ranges::reverse(other.ends);
-    std::ranges::reverse(other.at);
+    std::swap(other.ends[0], other.ends[1]);
     other.direction = -other.direction;
     other.surface = -other.surface;
   }
-  Strip strip{.sides = {one, other}, .length = (one.at[1] - one.at[0]).norm()};
+  Strip strip{{one, other}, (one.ends[1]->place - one.ends[0]->place).norm()};
   if (one.surface * other.surface > 0) return strip;
+  const auto offset = [&](std::size_t at) { return cross(one.direction, other.ends[at]->place - one.ends[at]->place); };
   int between = one.surface != 0 ? one.surface : -other.surface;
-  if (between == 0) between = cross(one.direction, other.at[0] - one.at[0]) > 0 ? 1 : -1;
-  std::tie(strip.least_width, strip.most_width) =
-      std::minmax({between * cross(one.direction, other.at[0] - one.at[0]),
-                   between * cross(one.direction, other.at[1] - one.at[1])});
+  if (between == 0) between = offset(0) > 0 ? 1 : -1;
+  std::tie(strip.least_width, strip.most_width) = std::minmax({between * offset(0), between * offset(1)});
   return strip;
 }
 
 /// Whether what is seen of it goes straight on, for as long as the strip is wide: the arms of a character don't.
 bool goes_on(const std::vector<CleanLine>& lines, const Strip& strip, double least_cosine) {
-  const auto& [one, other] = strip.sides;
-  const Vec2 along = (one.at[1] + other.at[1] - one.at[0] - other.at[0]).normalized();
+  std::array<Vec2, 2> middle{Vec2::Zero(), Vec2::Zero()};
+  std::array<Vec2, 2> outward{Vec2::Zero(), Vec2::Zero()};
   for (const std::size_t at : {0U, 1U}) {
-    Vec2 outward = Vec2::Zero();
     for (const Side& side : strip.sides) {
-      outward += end_chord(lines[side.ends[at]->line].points, side.ends[at]->at_start, strip.most_width);
+      middle[at] += side.ends[at]->place / 2;
+      outward[at] += end_chord(lines[side.ends[at]->line].points, side.ends[at]->at_start, strip.most_width);
     }
-    if ((at == 0 ? 1 : -1) * outward.normalized().dot(along) < least_cosine) return false;
   }
-  return true;
+  const Vec2 along = (middle[1] - middle[0]).normalized();
+  return std::min(along.dot(outward[0].normalized()), -along.dot(outward[1].normalized())) >= least_cosine;
 }
 
 bool fits(const std::vector<CleanLine>& lines, const Strip& strip, const StripFit& fit) {
   const auto& [one, other] = strip.sides;
-  const double aside = std::abs(one.direction.dot(other.at[0] - one.at[0]));
+  const double ahead = std::abs(one.direction.dot(other.ends[0]->place - one.ends[0]->place));
   return std::min(one.facing, other.facing) >= fit.side_cosine &&
          one.direction.dot(other.direction) >= fit.parallel_cosine &&
          strip.least_width > (1 - fit.most_taper) * strip.most_width &&
-         strip.length > fit.least_length * strip.most_width && aside < strip.most_width + 0.5 * strip.length &&
+         strip.length > fit.least_length * strip.most_width && ahead < strip.most_width + 0.5 * strip.length &&
          goes_on(lines, strip, fit.strip_cosine);
 }
 
@@ -131,76 +127,68 @@ Vec2 bar_direction(const CleanLine& bar, const HiddenEnd& end) {
 /// Whether it may be a strand behind a strand: both sides go in behind one line, come out behind one line that runs the
 /// other way, and what lies between is narrow beside them. A limb, which ends twice at its body, has both of its own
 /// sides.
-bool is_behind_strand(const std::vector<CleanLine>& lines, const std::vector<Index>& bodies, const Strip& strip) {
+bool is_behind_strand(const std::vector<CleanLine>& lines, const Strip& strip) {
   if (strip.length >= most_length_behind_strand * strip.most_width) return false;
   std::array<Vec2, 2> along;  // of what covers it
   for (const std::size_t at : {0U, 1U}) {
-    const auto [one, other] = std::pair(strip.sides[0].ends[at], strip.sides[1].ends[at]);
-    if (one->bar != other->bar || strip.length > most_share_of_bar * lines[one->bar].size) return false;
-    if (one->line != other->line && (bodies[one->line] != no_index || bodies[other->line] != no_index)) return false;
-    along[at] = (bar_direction(lines[one->bar], *one) + bar_direction(lines[one->bar], *other)).normalized();
+    const SeenEnd& one = *strip.sides[0].ends[at];
+    const SeenEnd& other = *strip.sides[1].ends[at];
+    if (one.bar != other.bar || strip.length > most_share_of_bar * lines[one.bar].size) return false;
+    if (one.line != other.line && (one.body() != no_index || other.body() != no_index)) return false;
+    along[at] = (bar_direction(lines[one.bar], one) + bar_direction(lines[one.bar], other)).normalized();
   }
   return along[0].dot(along[1]) < opposite_cosine;
 }
 
-/// The outlines of limbs that both sides end in; no_index where they end in two lines.
-std::array<Index, 2> limbs_of(const Strip& strip) {
-  std::array<Index, 2> limbs{no_index, no_index};
-  for (const std::size_t at : {0U, 1U}) {
-    const Index line = strip.sides[0].ends[at]->line;
-    if (line == strip.sides[1].ends[at]->line) limbs[at] = line;
-  }
-  return limbs;
+bool crosses(const Strip& strip, const Strip& other) {
+  const Side& one = strip.sides[0];
+  const Side& two = other.sides[0];
+  return std::abs(cross(one.direction, two.direction)) > crossing_sine &&
+         cross_properly(one.ends[0]->place, one.ends[1]->place, two.ends[0]->place, two.ends[1]->place);
 }
 
-bool crosses(const Strip& one, const Strip& other) {
-  const auto& [a, b] = std::tie(one.sides[0], other.sides[0]);
-  return std::abs(cross(a.direction, b.direction)) > crossing_sine &&
-         cross_properly(a.at[0], a.at[1], b.at[0], b.at[1]);
+/// Whether both sides of a strip end in one line, which is the outline of a limb.
+bool ends_in(const Strip& strip, std::size_t at, Index line) {
+  return std::ranges::all_of(strip.sides, [&](const Side& side) { return side.ends[at]->line == line; });
 }
 
 /// Whether a strip is two limbs among others: outlines like those of its ends pass behind the same line without being
 /// part of a strip.
-bool is_among_limbs(const std::vector<CleanLine>& lines, const std::vector<Index>& bodies, const Strip& strip,
+bool is_among_limbs(const std::vector<CleanLine>& lines, const std::vector<SeenEnd>& ends, const Strip& strip,
                     const std::vector<Strip>& strips) {
-  const auto [one, other] = limbs_of(strip);
-  const auto alike = [&](Index a, Index b) {
-    return std::max(lines[a].size, lines[b].size) < alike_length * std::min(lines[a].size, lines[b].size);
+  const auto& [one, other] = strip.sides[0].ends;
+  const auto alike = [&](const SeenEnd& end) {
+    const auto [less, more] = std::minmax(lines[one->line].size, lines[end.line].size);
+    return one->body() == end.body() && more < alike_length * less;
   };
-  if (one == no_index || other == no_index || !alike(one, other) || bodies[one] != bodies[other]) return false;
-  int count = 0;
-  for (Index line = 0; line < lines.size(); ++line) {
-    if (line == one || line == other || bodies[line] == no_index || bodies[line] != bodies[one] || !alike(one, line))
-      continue;
-    const bool in_strip =
-        std::ranges::any_of(strips, [&](const Strip& some) { return std::ranges::count(limbs_of(some), line) > 0; });
-    if (!in_strip) ++count;
-  }
-  return count >= most_limbs_alike;
+  if (!ends_in(strip, 0, one->line) || !ends_in(strip, 1, other->line) || !alike(*other)) return false;
+  const auto limbs = std::ranges::count_if(ends, [&](const SeenEnd& end) {
+    return end.at_start && end.body() != no_index && alike(end) && std::ranges::none_of(strips, [&](const Strip& some) {
+             return ends_in(some, 0, end.line) || ends_in(some, 1, end.line);
+           });
+  });
+  return limbs >= most_limbs_alike;
 }
 
 }  // namespace
 
-void favour_strips(const std::vector<CleanLine>& lines, const Junctions& junctions, const std::vector<Index>& ends,
-                   const std::vector<int>& side, std::vector<CompletionCandidate>& candidates) {
-  const std::vector<Index> bodies = bodies_of_limbs(junctions, lines.size());
-  const std::vector<Side> sides = straight_sides(lines, junctions, ends, side, candidates);
+void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEnd>& ends, double tremble,
+                   std::vector<CompletionCandidate>& candidates) {
+  const std::vector<Side> sides = straight_sides(ends, candidates);
   std::vector<Strip> strips;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    for (std::size_t k = i + 1; k < sides.size(); ++k) {
-      const Strip strip = strip_between(sides[i], sides[k]);
+  for (auto one = sides.begin(); one != sides.end(); ++one) {
+    for (auto other = one + 1; other != sides.end(); ++other) {
+      const Strip strip = strip_between(*one, *other);
       if (strip.least_width <= 0) continue;
-      if (fits(lines, strip, strip_fit) ||
-          (junctions.tremble > 0 && is_behind_strand(lines, bodies, strip) && fits(lines, strip, strand_fit))) {
-        strips.push_back(strip);
-      }
+      const bool bent = tremble > 0 && is_behind_strand(lines, strip);
+      if (fits(lines, strip, strip_fit) || (bent && fits(lines, strip, strand_fit))) strips.push_back(strip);
     }
   }
   for (const Strip& strip : strips) {
     const auto crossed = std::ranges::count_if(strips, [&](const Strip& other) { return crosses(strip, other); });
-    const bool among = crossed > most_crossings || is_among_limbs(lines, bodies, strip, strips);
-    for (const Side& one : strip.sides) {
-      double& factor = candidates[one.candidate].strip;
+    const bool among = crossed > most_crossings || is_among_limbs(lines, ends, strip, strips);
+    for (const Side& side : strip.sides) {
+      double& factor = candidates[side.candidate].strip;
       factor = among ? std::max(factor, costs::crossed_strip) : costs::strip;
     }
   }
