@@ -23,8 +23,7 @@ constexpr int integration_pieces = 24;
 constexpr double most_cap_turn = 1.6 * std::numbers::pi;
 // Directions at the ends are known so well, all in all.
 constexpr double turn_tolerance = 1;
-// So many candidates of an end are judged by what covers them, by so many chords.
-constexpr std::size_t judged_candidates = 8;
+// What covers a piece is asked of so many chords.
 constexpr int judged_pieces = 20;
 
 double turning_of(std::span<const Vec2> points) {
@@ -106,18 +105,14 @@ double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, doub
   }
   // A line that passes behind itself goes on there, and the two sides of a handle belong together.
   if (a.bar == a.line || b.bar == b.line || a.handle != 0) return no_limit;
-  const double round = a.roundness > 0 ? costs::round_cap / a.roundness : no_limit;
-  return turns_once(a, b, curve) ? std::min(round, costs::limb_cap) : round;
+  return turns_once(a, b, curve) ? costs::limb_cap : no_limit;
 }
 
-/// Per end: the known piece that it belongs to.
-std::vector<Index> given_pieces_of(const Junctions& junctions) {
-  std::vector<Index> piece(junctions.ends.size(), no_index);
-  for (Index k = 0; k < junctions.given.size(); ++k) {
-    piece[junctions.given[k].from] = k;
-    piece[junctions.given[k].to] = k;
-  }
-  return piece;
+/// The known piece that an end belongs to.
+Index given_piece_of(const Junctions& junctions, Index end) {
+  const auto piece = std::ranges::find_if(
+      junctions.given, [&](const GivenPiece& known) { return known.from == end || known.to == end; });
+  return piece == junctions.given.end() ? no_index : static_cast<Index>(piece - junctions.given.begin());
 }
 
 bool may_join(const std::vector<CleanLine>& lines, const SeenEnd& a, const SeenEnd& b) {
@@ -134,25 +129,6 @@ void judge_shape(const SeenEnd& a, const SeenEnd& b, double tremble, double refe
   candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
   if (agreed == 0) candidate.opposition = costs::opposite_sides * std::min(a.roundness, b.roundness);
   candidate.most = highest_cost(a, b, candidate.curve, tremble);
-}
-
-/// The few cheapest candidates of every end, ascending; dearer ones aren't worth judging.
-/// @param ends how many there are
-std::vector<Index> likely_candidates(std::size_t ends, const std::vector<CompletionCandidate>& candidates) {
-  std::vector<std::vector<std::pair<double, Index>>> of_end(ends);
-  for (Index c = 0; c < candidates.size(); ++c) {
-    if (candidates[c].given != no_index) continue;
-    for (const Index end : {candidates[c].a, candidates[c].b}) of_end[end].emplace_back(candidates[c].cost(), c);
-  }
-  std::vector<Index> likely;
-  for (auto& own : of_end) {
-    std::ranges::sort(own);
-    if (own.size() > judged_candidates) own.resize(judged_candidates);
-    for (const auto& [cost, candidate] : own) likely.push_back(candidate);
-  }
-  std::ranges::sort(likely);
-  likely.erase(std::unique(likely.begin(), likely.end()), likely.end());
-  return likely;
 }
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
@@ -196,17 +172,17 @@ double completion_cost(const Cubic& p, int side, double reference, const Complet
 }
 
 double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
-  const std::vector<Index> given = given_pieces_of(junctions);
   std::vector<Vec2> places;
   for (Index e = 0; e < junctions.ends.size(); ++e) {
     const HiddenEnd& end = junctions.ends[e];
-    if (given[e] == no_index) places.push_back(lines[end.line].end(end.at_start));
+    if (given_piece_of(junctions, e) == no_index) places.push_back(lines[end.line].end(end.at_start));
   }
   if (places.empty()) return 0;
-  std::vector<double> nearest(places.size(), no_limit);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (k != i) nearest[i] = std::min(nearest[i], (places[k] - places[i]).norm());
+  std::vector<double> nearest;
+  for (const Vec2& place : places) {
+    nearest.push_back(no_limit);
+    for (const Vec2& other : places) {
+      if (&other != &place) nearest.back() = std::min(nearest.back(), (other - place).norm());
     }
   }
   const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
@@ -218,12 +194,13 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
                                                        const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
   const std::vector<SeenEnd> seen = seen_ends(lines, junctions, ends);
-  const std::vector<Index> given = given_pieces_of(junctions);
+  std::vector<Index> given;
+  for (const Index end : ends) given.push_back(given_piece_of(junctions, end));
   std::vector<CompletionCandidate> candidates;
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
-      if (given[ends[i]] != given[ends[k]]) continue;
-      CompletionCandidate candidate{i, k, given[ends[i]]};
+      if (given[i] != given[k]) continue;
+      CompletionCandidate candidate{i, k, given[i]};
       if (candidate.given == no_index) {
         if (!(reference > 0) || !may_join(lines, seen[i], seen[k])) continue;
         // No curve is shorter than its chord.
@@ -237,10 +214,10 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
   }
   favour_strips(lines, seen, junctions.tremble, candidates);
   const DrawnCover cover(lines, junctions);
-  for (const Index likely : likely_candidates(ends.size(), candidates)) {
-    const SeenEnd& a = seen[candidates[likely].a];
-    const SeenEnd& b = seen[candidates[likely].b];
-    judge_cover(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidates[likely]);
+  for (CompletionCandidate& candidate : candidates) {
+    const SeenEnd& a = seen[candidate.a];
+    const SeenEnd& b = seen[candidate.b];
+    if (candidate.given == no_index) judge_cover(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidate);
   }
   return candidates;
 }

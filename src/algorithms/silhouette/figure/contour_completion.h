@@ -42,7 +42,7 @@ double completion_reference(const std::vector<CleanLine>& lines, const Junctions
 
 /// All pairs of the given ends that may be joined: the surface lies on the same side of both lines as far as that is
 /// known, neither is forced into another object, and the cost stays below the maximum. Ends that a known piece joins
-/// have that one candidate. What covers a piece is asked of the few cheapest candidates of every end alone.
+/// have that one candidate.
 /// @param lines carried on behind their bars
 /// @param ends  subset of junctions.ends, as indices; candidates hold positions in this list
 /// O(n² + l² #P) for n ends of l open lines.

@@ -28,11 +28,8 @@ constexpr StripFit strip_fit{0.866, 0.978, 0.99, 0.25, 1};
 constexpr StripFit strand_fit{0.25, 0.5, 0.77, 0.6, 0.5};
 // So long at most, in widths of the strip.
 constexpr double most_length_behind_strand = 2.5;
-// A strand is narrow: no wider than this share of the size of its outlines, and those run in opposite directions.
+// A strand is narrow: no wider than this share of the size of its outlines.
 constexpr double most_share_of_bar = 0.25;
-constexpr double opposite_cosine = -0.3;
-// Their directions are taken over so many steps to either side.
-constexpr double bar_steps = 4;
 // A strip is crossed by at most so many others.
 constexpr double crossing_sine = 0.25;
 constexpr int most_crossings = 1;
@@ -105,39 +102,20 @@ bool goes_on(const std::vector<CleanLine>& lines, const Strip& strip, double lea
 
 bool fits(const std::vector<CleanLine>& lines, const Strip& strip, const StripFit& fit) {
   const auto& [one, other] = strip.sides;
-  const double ahead = std::abs(one.direction.dot(other.ends[0]->place - one.ends[0]->place));
   return std::min(one.facing, other.facing) >= fit.side_cosine &&
          one.direction.dot(other.direction) >= fit.parallel_cosine &&
          strip.least_width > (1 - fit.most_taper) * strip.most_width &&
-         strip.length > fit.least_length * strip.most_width && ahead < strip.most_width + 0.5 * strip.length &&
-         goes_on(lines, strip, fit.strip_cosine);
+         strip.length > fit.least_length * strip.most_width && goes_on(lines, strip, fit.strip_cosine);
 }
 
-/// The direction of a bar where an end passes behind it, with its surface on the left.
-Vec2 bar_direction(const CleanLine& bar, const HiddenEnd& end) {
-  const Index last = bar.segment_count();
-  const double reach = std::min(bar_steps, last / 4.0);
-  const auto place = [&](double parameter) {
-    return point_at(bar.points,
-                    bar.closed ? std::fmod(parameter + last, last) : std::clamp<double>(parameter, 0, last));
-  };
-  return end.bar_side * (place(end.bar_parameter + reach) - place(end.bar_parameter - reach)).normalized();
-}
-
-/// Whether it may be a strand behind a strand: both sides go in behind one line, come out behind one line that runs the
-/// other way, and what lies between is narrow beside them. A limb, which ends twice at its body, has both of its own
-/// sides.
+/// Whether it may be a strand behind a strand: both sides go in behind one line and come out behind one line, and what
+/// lies between is narrow beside them.
 bool is_behind_strand(const std::vector<CleanLine>& lines, const Strip& strip) {
-  if (strip.length >= most_length_behind_strand * strip.most_width) return false;
-  std::array<Vec2, 2> along;  // of what covers it
-  for (const std::size_t at : {0U, 1U}) {
-    const SeenEnd& one = *strip.sides[0].ends[at];
-    const SeenEnd& other = *strip.sides[1].ends[at];
-    if (one.bar != other.bar || strip.length > most_share_of_bar * lines[one.bar].size) return false;
-    if (one.line != other.line && (one.body() != no_index || other.body() != no_index)) return false;
-    along[at] = (bar_direction(lines[one.bar], one) + bar_direction(lines[one.bar], other)).normalized();
-  }
-  return along[0].dot(along[1]) < opposite_cosine;
+  const auto covers = [&](std::size_t at) {
+    const Index bar = strip.sides[0].ends[at]->bar;
+    return bar == strip.sides[1].ends[at]->bar && strip.length <= most_share_of_bar * lines[bar].size;
+  };
+  return strip.length < most_length_behind_strand * strip.most_width && covers(0) && covers(1);
 }
 
 bool crosses(const Strip& strip, const Strip& other) {
