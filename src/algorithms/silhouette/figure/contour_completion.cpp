@@ -5,11 +5,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <span>
+#include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/figure/hidden_strips.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
 #include "algorithms/silhouette/strokes/covered_runs.h"
 
@@ -26,6 +25,21 @@ constexpr double turn_tolerance = 1;
 // What covers a piece is asked of so many chords.
 constexpr int judged_pieces = 20;
 
+/// What is seen of a line when it is walked outward through a hidden end.
+struct SeenEnd : HiddenEnd {
+  const CleanLine* drawn = nullptr;  ///< the line
+  Index given = no_index;            ///< the known piece that it belongs to
+  Vec2 place = Vec2::Zero();         ///< behind the bar
+  const SeenEnd* other = nullptr;    ///< at the line's other end; null where that isn't hidden
+  int side = 0;                      ///< the surface lies left (+1) or right (-1), 0 where no stem tells it
+  int likely_side = 1;               ///< the same, else by which way the line goes round
+  /// How sure it is that the surface lies on the side that the line bends round: 1 for one that nearly closes, 0 for
+  /// one whose ends are farther apart than half its length.
+  double roundness = 0;
+  double turning = 0;  ///< of the line, from its first to its last direction
+  int handle = 0;  ///< outer (+1) or inner side (-1) of a handle: two lines from one thing, one goes round the other
+};
+
 double turning_of(std::span<const Vec2> points) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -36,15 +50,23 @@ double turning_of(std::span<const Vec2> points) {
   return sum;
 }
 
+/// The known piece that an end belongs to.
+Index given_piece_of(const Junctions& junctions, Index end) {
+  const auto piece = std::ranges::find_if(
+      junctions.given, [&](const GivenPiece& known) { return known.from == end || known.to == end; });
+  return piece == junctions.given.end() ? no_index : static_cast<Index>(piece - junctions.given.begin());
+}
+
 /// Two lines from one thing, of which one goes round the other, are the two sides of a handle.
-void find_handles(const std::vector<CleanLine>& lines, std::vector<SeenEnd>& ends) {
+void find_handles(std::vector<SeenEnd>& ends) {
   const auto bars = [](const SeenEnd& end) { return std::minmax(end.bar, end.other->bar); };
   const auto is_free = [](const SeenEnd& end) { return end.other != nullptr && end.side == 0; };
-  for (SeenEnd& inner : ends | std::views::filter(is_free)) {
-    const Points& points = lines[inner.line].points;
-    for (SeenEnd& outer : ends | std::views::filter(is_free)) {
-      if (inner.line == outer.line || bars(inner) != bars(outer)) continue;
-      if (!encloses(lines[outer.line], points[points.size() / 2])) continue;
+  for (SeenEnd& inner : ends) {
+    if (!is_free(inner)) continue;
+    const Vec2& middle = inner.drawn->points[inner.drawn->points.size() / 2];
+    for (SeenEnd& outer : ends) {
+      if (!is_free(outer) || inner.line == outer.line || bars(inner) != bars(outer)) continue;
+      if (!encloses(*outer.drawn, middle)) continue;
       inner.handle = -1;
       outer.handle = 1;
     }
@@ -57,9 +79,11 @@ std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Juncti
   std::vector<SeenEnd> ends;
   for (const Index position : positions) {
     SeenEnd end{junctions.ends[position]};
-    const Points& points = lines[end.line].points;
+    end.drawn = &lines[end.line];
+    end.given = given_piece_of(junctions, position);
+    end.place = end.drawn->end(end.at_start);
+    const Points& points = end.drawn->points;
     const int outward = end.at_start ? -1 : 1;
-    end.place = lines[end.line].end(end.at_start);
     end.side = outward * junctions.sides[end.line];
     end.roundness = std::max(0.0, 1 - 2 * (points.back() - points.front()).norm() / length(points, false));
     end.turning = outward * turning_of(points);
@@ -70,9 +94,9 @@ std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Juncti
     ends[i].other = &ends[i + 1];
     ends[i + 1].other = &ends[i];
   }
-  find_handles(lines, ends);
+  find_handles(ends);
   for (SeenEnd& end : ends) {
-    const bool left = (signed_area(lines[end.line].points) >= 0) == (end.handle >= 0);
+    const bool left = (signed_area(end.drawn->points) >= 0) == (end.handle >= 0);
     end.likely_side = end.side != 0 ? end.side : left == end.at_start ? -1 : 1;
   }
   return ends;
@@ -108,16 +132,177 @@ double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, doub
   return turns_once(a, b, curve) ? costs::limb_cap : no_limit;
 }
 
-/// The known piece that an end belongs to.
-Index given_piece_of(const Junctions& junctions, Index end) {
-  const auto piece = std::ranges::find_if(
-      junctions.given, [&](const GivenPiece& known) { return known.from == end || known.to == end; });
-  return piece == junctions.given.end() ? no_index : static_cast<Index>(piece - junctions.given.begin());
+/// How exactly the ends of a strip must fit.
+struct StripFit {
+  double side_cosine = 1;      ///< both ends of a side point at one another at least so well
+  double strip_cosine = 1;     ///< the strip's two ends do, whose directions are those of the middle between its sides
+  double parallel_cosine = 1;  ///< the two sides run in one direction
+  double most_taper = 0;       ///< share by which it is narrower at one end
+  double least_length = 1;     ///< in widths
+  double most_length = no_limit;
+};
+
+// Within 30, 12 and 8 degrees: a hand's last samples are uncertain.
+constexpr StripFit strip_fit{0.866, 0.978, 0.99, 0.25, 1};
+// Behind a strand a strip is hidden for a short piece only, and a hand's tremble may turn its ends and make it
+// narrower: within 75, 60 and 40 degrees.
+constexpr StripFit strand_fit{0.25, 0.5, 0.77, 0.6, 0.5, 2.5};
+// A strand is narrow: no wider than this share of the size of its outlines.
+constexpr double most_share_of_bar = 0.25;
+// A strip is crossed by at most so many others.
+constexpr double crossing_sine = 0.25;
+constexpr int most_crossings = 1;
+// With so many others like its two ends behind the same line, that go on nowhere, it is two limbs among limbs.
+constexpr int most_limbs_alike = 2;
+// Limbs are alike whose outlines are as long but for this factor.
+constexpr double alike_length = 1.6;
+
+/// One side of what may be a strip.
+struct Side {
+  Index candidate = 0;
+  std::array<const SeenEnd*, 2> ends{};
+  Vec2 direction = Vec2::Zero();
+  double facing = 1;  ///< cosine between it and the worse of its two ends
+  int surface = 0;    ///< on its left (+1) or right (-1), 0 not known
+};
+
+struct Strip {
+  std::array<Side, 2> sides;  ///< in the same direction
+  double length = 0;
+  double least_width = 0;  ///< at its narrower end; not positive when the two sides don't bound a strip
+  double most_width = 0;
+};
+
+/// The candidates that run nearly straight from one end to the other.
+std::vector<Side> straight_sides(const std::vector<SeenEnd>& ends, const std::vector<CompletionCandidate>& candidates) {
+  // A straight line goes round neither of its sides.
+  const auto surface = [](const SeenEnd& end) { return end.side != 0 || end.roundness > 0 ? end.likely_side : 0; };
+  std::vector<Side> sides;
+  for (Index c = 0; c < candidates.size(); ++c) {
+    const SeenEnd& a = ends[candidates[c].a];
+    const SeenEnd& b = ends[candidates[c].b];
+    if (candidates[c].given != no_index || surface(a) * surface(b) > 0) continue;
+    const Vec2 direction = (b.place - a.place).normalized();
+    const double facing = std::min(a.tangent.dot(direction), -b.tangent.dot(direction));
+    if (facing < strand_fit.side_cosine) continue;
+    sides.push_back({c, {&a, &b}, direction, facing, surface(a) != 0 ? surface(a) : -surface(b)});
+  }
+  return sides;
 }
 
-bool may_join(const std::vector<CleanLine>& lines, const SeenEnd& a, const SeenEnd& b) {
-  const std::string& first = lines[a.line].object;
-  const std::string& second = lines[b.line].object;
+Strip strip_between(const Side& one, Side other) {
+  if (one.direction.dot(other.direction) < 0) {
+    std::swap(other.ends[0], other.ends[1]);
+    other.direction = -other.direction;
+    other.surface = -other.surface;
+  }
+  Strip strip{{one, other}, (one.ends[1]->place - one.ends[0]->place).norm()};
+  if (one.surface * other.surface > 0) return strip;
+  const auto offset = [&](std::size_t at) { return cross(one.direction, other.ends[at]->place - one.ends[at]->place); };
+  int between = one.surface != 0 ? one.surface : -other.surface;
+  if (between == 0) between = offset(0) > 0 ? 1 : -1;
+  std::tie(strip.least_width, strip.most_width) = std::minmax({between * offset(0), between * offset(1)});
+  return strip;
+}
+
+/// Whether what is seen of it goes straight on, for as long as the strip is wide: the arms of a character don't.
+bool goes_on(const Strip& strip, double least_cosine) {
+  const auto middle = [&](std::size_t at) -> Vec2 {
+    return (strip.sides[0].ends[at]->place + strip.sides[1].ends[at]->place) / 2;
+  };
+  const auto chord = [&](const SeenEnd& end) { return end_chord(end.drawn->points, end.at_start, strip.most_width); };
+  const auto outward = [&](std::size_t at) -> Vec2 {
+    return (chord(*strip.sides[0].ends[at]) + chord(*strip.sides[1].ends[at])).normalized();
+  };
+  const Vec2 along = (middle(1) - middle(0)).normalized();
+  return std::min(along.dot(outward(0)), -along.dot(outward(1))) >= least_cosine;
+}
+
+bool fits(const Strip& strip, const StripFit& fit) {
+  const auto& [one, other] = strip.sides;
+  return std::min(one.facing, other.facing) >= fit.side_cosine &&
+         one.direction.dot(other.direction) >= fit.parallel_cosine &&
+         strip.least_width > (1 - fit.most_taper) * strip.most_width &&
+         strip.length > fit.least_length * strip.most_width && strip.length < fit.most_length * strip.most_width &&
+         goes_on(strip, fit.strip_cosine);
+}
+
+/// Whether it may be a strand behind a strand: both sides go in behind one line and come out behind one line, and what
+/// lies between is narrow beside them.
+bool is_behind_strand(const std::vector<CleanLine>& lines, const Strip& strip) {
+  return std::ranges::all_of(std::array{0U, 1U}, [&](std::size_t at) {
+    const Index bar = strip.sides[0].ends[at]->bar;
+    return bar == strip.sides[1].ends[at]->bar && strip.length <= most_share_of_bar * lines[bar].size;
+  });
+}
+
+bool crosses(const Strip& strip, const Strip& other) {
+  const Side& one = strip.sides[0];
+  const Side& two = other.sides[0];
+  return std::abs(cross(one.direction, two.direction)) > crossing_sine &&
+         cross_properly(one.ends[0]->place, one.ends[1]->place, two.ends[0]->place, two.ends[1]->place);
+}
+
+/// Whether both sides of a strip end in one line, which is the outline of a limb.
+bool ends_in(const Strip& strip, std::size_t at, Index line) {
+  return std::ranges::all_of(strip.sides, [&](const Side& side) { return side.ends[at]->line == line; });
+}
+
+/// Whether a strip is two limbs among others: outlines like those of its ends pass behind the same line without being
+/// part of a strip.
+bool is_among_limbs(const std::vector<SeenEnd>& ends, const Strip& strip, const std::vector<Strip>& strips) {
+  const SeenEnd& one = *strip.sides[0].ends[0];
+  const SeenEnd& other = *strip.sides[0].ends[1];
+  const auto alike = [&](const SeenEnd& end) {
+    const bool same_body = end.bar == one.bar && end.other != nullptr && end.other->bar == end.bar;
+    const auto [less, more] = std::minmax(one.drawn->size, end.drawn->size);
+    return same_body && end.bar != end.line && more < alike_length * less;
+  };
+  if (!ends_in(strip, 0, one.line) || !ends_in(strip, 1, other.line) || !alike(one) || !alike(other)) return false;
+  const auto in_strip = [&](const SeenEnd& end) {
+    return std::ranges::any_of(
+        strips, [&](const Strip& some) { return ends_in(some, 0, end.line) || ends_in(some, 1, end.line); });
+  };
+  const auto limbs =
+      std::ranges::count_if(ends, [&](const SeenEnd& end) { return end.at_start && alike(end) && !in_strip(end); });
+  return limbs >= most_limbs_alike;
+}
+
+/// Sets the factor of candidates that carry both sides of a strip straight on behind something, at the same width: an
+/// arrow through a heart, a stick behind a disc. Such a strip is one part, however far it is hidden: its sides cost
+/// less.
+///
+/// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, cost
+/// more: they are petals or arms all round.
+///
+/// Behind something as narrow as another strip, the two sides may be bent aside and less even: there a hand's tremble
+/// turns the ends of strands of knots and chains.
+/// O(s²) for s straight candidates.
+void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEnd>& ends, double tremble,
+                   std::vector<CompletionCandidate>& candidates) {
+  const std::vector<Side> sides = straight_sides(ends, candidates);
+  std::vector<Strip> strips;
+  for (auto one = sides.begin(); one != sides.end(); ++one) {
+    for (auto other = one + 1; other != sides.end(); ++other) {
+      const Strip strip = strip_between(*one, *other);
+      if (strip.least_width <= 0) continue;
+      const bool bent = tremble > 0 && is_behind_strand(lines, strip);
+      if (fits(strip, strip_fit) || (bent && fits(strip, strand_fit))) strips.push_back(strip);
+    }
+  }
+  for (const Strip& strip : strips) {
+    const auto crossed = std::ranges::count_if(strips, [&](const Strip& other) { return crosses(strip, other); });
+    const bool among = crossed > most_crossings || is_among_limbs(ends, strip, strips);
+    for (const Side& side : strip.sides) {
+      double& factor = candidates[side.candidate].strip;
+      factor = among ? std::max(factor, costs::crossed_strip) : costs::strip;
+    }
+  }
+}
+
+bool may_join(const SeenEnd& a, const SeenEnd& b) {
+  const std::string& first = a.drawn->object;
+  const std::string& second = b.drawn->object;
   return (first.empty() || second.empty() || first == second) && a.side * b.side <= 0;
 }
 
@@ -194,15 +379,13 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
                                                        const std::vector<Index>& ends, double reference,
                                                        const CompletionOptions& options) {
   const std::vector<SeenEnd> seen = seen_ends(lines, junctions, ends);
-  std::vector<Index> given;
-  for (const Index end : ends) given.push_back(given_piece_of(junctions, end));
   std::vector<CompletionCandidate> candidates;
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
-      if (given[i] != given[k]) continue;
-      CompletionCandidate candidate{i, k, given[i]};
+      if (seen[i].given != seen[k].given) continue;
+      CompletionCandidate candidate{i, k, seen[i].given};
       if (candidate.given == no_index) {
-        if (!(reference > 0) || !may_join(lines, seen[i], seen[k])) continue;
+        if (!(reference > 0) || !may_join(seen[i], seen[k])) continue;
         // No curve is shorter than its chord.
         const double chord = (seen[k].place - seen[i].place).norm();
         if (options.length_weight * chord > options.maximum_cost * reference) continue;
@@ -223,7 +406,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
 }
 
 DrawnCover::DrawnCover(const std::vector<CleanLine>& lines, const Junctions& junctions)
-    : grid_(line_segments(lines), std::ranges::max(std::views::transform(lines, first_step))) {
+    : grid_(line_segments(lines), first_step(*std::ranges::max_element(lines, {}, first_step))) {
   for (Index line = 0; line < lines.size(); ++line) {
     const int round = !lines[line].closed ? 0 : signed_area(lines[line].points) >= 0 ? 1 : -1;
     sides_.push_back(junctions.sides[line] != 0 ? junctions.sides[line] : round);
