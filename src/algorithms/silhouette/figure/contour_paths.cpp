@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "algorithms/silhouette/figure/kept_behind.h"
-
 namespace croquis::silhouette {
 namespace {
 
@@ -76,14 +74,11 @@ ContourPath hidden_piece(Points points, const std::vector<Index>& strokes, Index
 ContourPath completed_piece(const ChosenEnds& ends, Index choice, Index leaving) {
   const CompletionCandidate& candidate = ends.part.candidates[ends.chosen[choice].candidate];
   const std::vector<CleanLine>& lines = ends.context.lines;
-  std::array<Vec2, 4> bezier = candidate.bezier;
-  if (candidate.b == leaving) std::ranges::reverse(bezier);
-  const std::uint8_t shape = candidate.shapes[ends.chosen[choice].shape];
-  const bool kept = shape == kept_behind_shape;
+  Cubic curve = candidate.curve;
+  if (candidate.b == leaving) std::ranges::reverse(curve);
+  const CompletionShape& shape = completion_shapes[candidate.shapes[ends.chosen[choice].shape]];
   const HiddenEnd& end = ends.end(leaving);
-  const double step = ends.context.scale.step;
-  Points points = shaped_points(bezier, completion_shapes[kept ? 0 : shape], step);
-  if (kept) points = kept_behind(std::move(points), lines[end.bar], end.bar_side, step);
+  Points points = completion_points(curve, shape, ends.context.scale.step, lines[end.bar], end.bar_side);
   const std::vector<Index> strokes(points.size(), lines[end.line].end_stroke(end.at_start));
   return hidden_piece(std::move(points), strokes, choice);
 }
@@ -130,7 +125,7 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
                           ? completed_piece(ends, choice, leaving)
                           : given_piece(ends, ends.context.junctions.given[candidate.given], choice, leaving, arriving);
   append_piece(piece, path);
-  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost});
+  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost()});
   return arriving;
 }
 

@@ -43,9 +43,7 @@ struct Trial {
   Faces faces;  ///< none when the surface would lie on both sides of a contour, or contours touch
 };
 
-/// The likely candidates are judged: the search for matchings needs what they cost.
-PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options,
-                  const CompletionJudge& judge) {
+PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options) {
   PartLines part;
   part.lines = lines;
   const std::set<Index> included(lines.begin(), lines.end());
@@ -54,16 +52,13 @@ PartLines part_of(const FigureContext& context, const std::vector<Index>& lines,
   }
   part.candidates =
       completion_candidates(context.lines, context.junctions, part.ends, context.completion_reference, options);
-  for (const Index candidate : likely_candidates(part.ends.size(), part.candidates)) {
-    judge.judge(part.candidates[candidate]);
-  }
   return part;
 }
 
 MatchingSearch matchings_of(const PartLines& part) {
   std::vector<MatchingEdge> edges;
   for (const CompletionCandidate& candidate : part.candidates) {
-    edges.push_back({candidate.a, candidate.b, candidate.cost});
+    edges.push_back({candidate.a, candidate.b, candidate.cost()});
   }
   return {static_cast<Index>(part.ends.size()), edges, maximum_branches};
 }
@@ -181,7 +176,7 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
   std::vector<MatchingEdge> edges;
   for (Index end = 0; end < part.ends.size(); ++end) edges.push_back({end, end, cost_left_out});
   for (const CompletionCandidate& candidate : part.candidates) {
-    edges.push_back({candidate.a, candidate.b, std::min(candidate.cost, cost_left_out)});
+    edges.push_back({candidate.a, candidate.b, std::min(candidate.cost(), cost_left_out)});
   }
   NamedStrokes left_out;
   MatchingSearch search(static_cast<Index>(part.ends.size()), edges, branches_for_failure);
@@ -243,14 +238,13 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
 
 FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
   CompletionOptions options = context.options.completion;
-  const CompletionJudge judge(context.lines, context.junctions);
-  PartLines part = part_of(context, lines, options, judge);
+  PartLines part = part_of(context, lines, options);
   MatchingSearch matchings = matchings_of(part);
   std::optional<Matching> matching = matchings.next();
   if (!matching) {
     // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
     options.maximum_cost = std::numeric_limits<double>::max();
-    part = part_of(context, lines, options, judge);
+    part = part_of(context, lines, options);
     matchings = matchings_of(part);
     matching = matchings.next();
   }

@@ -11,7 +11,6 @@
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
-#include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/doubled_strokes.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 

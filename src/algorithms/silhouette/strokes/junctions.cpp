@@ -243,15 +243,4 @@ void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenE
   }
 }
 
-std::vector<Index> bodies_of_limbs(const Junctions& junctions, std::size_t line_count) {
-  std::vector<Index> bodies(line_count, no_index);
-  // Ends are sorted by line: those of one line are neighbours.
-  for (std::size_t e = 0; e + 1 < junctions.ends.size(); ++e) {
-    const HiddenEnd& start = junctions.ends[e];
-    const HiddenEnd& end = junctions.ends[e + 1];
-    if (start.line == end.line && start.bar == end.bar && start.bar != start.line) bodies[start.line] = start.bar;
-  }
-  return bodies;
-}
-
 }  // namespace croquis::silhouette

@@ -65,8 +65,4 @@ Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& l
 /// Carries each stem a little past its bar, so that the two cross instead of touching.
 void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);
 
-/// Per line the one that both of its ends pass behind, such as a limb's body; no_index for other lines, and for those
-/// that pass behind themselves.
-std::vector<Index> bodies_of_limbs(const Junctions& junctions, std::size_t line_count);
-
 }  // namespace croquis::silhouette
