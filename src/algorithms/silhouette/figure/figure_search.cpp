@@ -70,13 +70,16 @@ std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
 }
 
 /// Crosses the contours of a matching and finds the faces.
-Trial arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen) {
+/// @param refuse what contradicts at crossings alone, before the faces are found: that takes most of the time
+Trial arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen,
+              bool refuse) {
   Trial trial;
   std::optional<ClosedContours> closed = close_contours(context, part, chosen);
   if (!closed) return trial;
   trial.closed = std::move(*closed);
   for (const double merging : mergings) {
     trial.arrangement = cross_contours(trial.closed.paths, context.order, context.scale.step, merging);
+    if (refuse && label_arrangement(trial.arrangement, {}, LabellingRules::Full).side.empty()) break;
     trial.faces = find_faces(trial.arrangement);
     if (trial.faces.conflicts.empty()) break;
   }
@@ -112,12 +115,14 @@ bool reshape(const Trial& trial, const PartLines& part, std::vector<ChosenComple
 }
 
 /// The matching with its likeliest shapes, then with others for what would lie in the open.
-/// @param arcs crossed so far
+/// @param tried before it; the first one is nearly always right
+/// @param arcs  crossed so far
 std::optional<LabelledFigure> try_matching(const FigureContext& context, const PartLines& part,
-                                           const Matching& matching, int reshapings, std::size_t& arcs) {
+                                           const Matching& matching, int tried, std::size_t& arcs) {
+  const int reshapings = tried < reshaped_matchings ? maximum_reshapings : 0;
   std::vector<ChosenCompletion> chosen = in_likeliest_shapes(matching);
   for (int round = 0;; ++round) {
-    Trial trial = arrange(context, part, chosen);
+    Trial trial = arrange(context, part, chosen, tried > 0 && round == 0);
     arcs += trial.arrangement.arcs.size();
     if (trial.faces.winding.empty()) return std::nullopt;
     std::vector<NestedOutline> nested =
@@ -253,12 +258,11 @@ FigureSearch search_figure(const FigureContext& context, const std::vector<Index
   std::size_t arcs = 0;
   for (int tried = 0; matching && tried < options.maximum_matchings && arcs < maximum_arcs; ++tried) {
     progress.check();
-    const int reshapings = tried < reshaped_matchings ? maximum_reshapings : 0;
-    std::optional<LabelledFigure> figure = try_matching(context, part, *matching, reshapings, arcs);
+    std::optional<LabelledFigure> figure = try_matching(context, part, *matching, tried, arcs);
     if (figure) return {std::move(figure), {}};
     matching = matchings.next();
   }
-  return {std::nullopt, {no_labelling(context, part, arrange(context, part, in_likeliest_shapes(cheapest)))}};
+  return {std::nullopt, {no_labelling(context, part, arrange(context, part, in_likeliest_shapes(cheapest), false))}};
 }
 
 }  // namespace croquis::silhouette

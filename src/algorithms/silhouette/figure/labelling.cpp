@@ -156,7 +156,7 @@ Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, 
   add_depths(labels);
   add_sides(labels);
   for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing_rules(k, labels);
-  add_layer_rules(labels);
+  if (!faces.winding.empty()) add_layer_rules(labels);
   const std::vector<int> values =
       labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes).values;
   Labelling result;

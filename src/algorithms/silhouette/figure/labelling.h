@@ -35,6 +35,7 @@ enum class LabellingRules {
 ///   T-junctions give them
 /// minimising Σ n plus a little of the covered area, so that of two readings the one with a hole wins.
 /// @param arrangement its contours' sides are kept where they are known
+/// @param faces       where there are none, the rules of faces are left out
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules);
 
 }  // namespace croquis::silhouette

@@ -20,10 +20,10 @@ using Term = IntegerProgram::Term;
 
 // Bounds of the search for one reading: branches, and how much better than it another one may be. The first reading
 // gets all that it needs of the branches for all of them; the last resort needs hardly any.
-constexpr int maximum_reading_nodes = 120;
-constexpr int maximum_nodes = 400;
+constexpr int maximum_reading_nodes = 300;
+constexpr int maximum_nodes = 600;
 constexpr int least_nodes = 20;
-constexpr double reading_gap = 0.01;
+constexpr double reading_gap = 0.003;
 // A stroke bounds the region on one side of it when it does so over this share of its length.
 constexpr double sided_share = 0.5;
 // A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
