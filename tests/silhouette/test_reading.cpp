@@ -220,6 +220,22 @@ TEST_CASE("what is told to be ignored isn't missed in the solid") {
   CHECK(solid.used == Approx(0.2));
 }
 
+TEST_CASE("where all lines are set to be ignored, one sentence says so") {
+  Drawing drawing;
+  for (const char* id : {"one", "other"}) {
+    drawing.strokes.push_back(stroke_of(id, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, true));
+    drawing.strokes.back().data[kind_key] = to_string(StrokeKind::Ignored);
+  }
+  try {
+    read(drawing);
+    FAIL("there is no reading");
+  } catch (const Error& error) {
+    REQUIRE(error.findings().size() == 1);
+    CHECK(error.findings().front().code == "E_NO_OUTLINE");
+    CHECK_THAT(error.findings().front().message, Catch::Contains("ignored"));
+  }
+}
+
 TEST_CASE("limbs of one line grow out of the body, and details lie on its front") {
   for (std::uint64_t seed = 3; seed < 5; ++seed) {
     const Drawing pet = PetDrawing(seed).take();

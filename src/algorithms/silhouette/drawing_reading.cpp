@@ -347,6 +347,34 @@ Findings left_out(const Material& material, const Reading& reading) {
   return findings;
 }
 
+/// What to say where no reading is left.
+LabelledDrawing nothing_read(const Material& material, const ReadingProgram& program) {
+  LabelledDrawing nothing;
+  nothing.findings = material.sampled.findings;
+  add_dots(material, nothing);
+  const auto is_ignored = [](const SampledStroke& stroke) { return stroke.told == StrokeKind::Ignored; };
+  const std::vector<SampledStroke>& strokes = material.sampled.strokes;
+  if (!strokes.empty() && std::ranges::all_of(strokes, is_ignored)) {
+    nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
+                                          "All lines of the drawing are set to be ignored: give the outline of "
+                                          "something another kind"));
+    return nothing;
+  }
+  for (const Index s : program.contradictions()) {
+    if (is_ignored(material.sampled.strokes[s])) continue;
+    const Index stroke = material.sampled.strokes[s].stroke;
+    nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
+                                          in_quotes(material.drawing, stroke) + " can't be a " +
+                                              to_string(material.sampled.strokes[s].told) +
+                                              ": let its ends meet something, or give it another kind",
+                                          {stroke_subject(material.drawing, stroke)}));
+  }
+  if (has_errors(nothing.findings)) return nothing;
+  nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
+                                        "The drawing's lines enclose nothing: draw the outline of something"));
+  return nothing;
+}
+
 }  // namespace
 
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
@@ -383,21 +411,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   }
   if (with_losses) return *std::move(with_losses);
   if (first) return *std::move(first);
-  LabelledDrawing nothing;
-  nothing.findings = material.sampled.findings;
-  add_dots(material, nothing);
-  for (const Index s : program.contradictions()) {
-    const Index stroke = material.sampled.strokes[s].stroke;
-    nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
-                                          in_quotes(drawing, stroke) + " can't be a " +
-                                              to_string(material.sampled.strokes[s].told) +
-                                              ": let its ends meet something, or give it another kind",
-                                          {stroke_subject(drawing, stroke)}));
-  }
-  if (has_errors(nothing.findings)) return nothing;
-  nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
-                                        "The drawing's lines enclose nothing: draw the outline of something"));
-  return nothing;
+  return nothing_read(material, program);
 }
 
 }  // namespace croquis::silhouette
