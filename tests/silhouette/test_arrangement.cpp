@@ -8,9 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/figure/arrangement.h"
-#include "algorithms/silhouette/figure/arrangement_faces.h"
+#include "algorithms/silhouette/figure/labelled_figure_builder.h"
 #include "algorithms/silhouette/figure/labelling.h"
-#include "algorithms/silhouette/figure/paneling.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -20,11 +19,8 @@ namespace {
 
 ContourPath closed_path(Points points) {
   ContourPath path;
+  path.segments.assign(points.size(), {ContourSegment::Drawn::Yes, 0, 0});
   path.points = std::move(points);
-  path.drawn.assign(path.points.size(), ContourPath::Drawn::Yes);
-  path.cut.assign(path.points.size(), 0.0);
-  path.stroke.assign(path.points.size(), 0);
-  path.line.assign(path.points.size(), 0);
   return path;
 }
 
@@ -69,9 +65,10 @@ TEST_CASE("crossings are found as by testing all pairs, each contour passing thr
     for (const double merging : {0.15, 1e-4}) {
       const Arrangement made = cross_contours(paths, {}, 5, merging);
       CHECK(static_cast<int>(made.crossings.size()) == count_crossings(paths));
-      for (const ContourCrossing& crossing : made.crossings) {
-        CHECK(made.contours[crossing.contour_a].vertices[crossing.position_a] == crossing.vertex);
-        CHECK(made.contours[crossing.contour_b].vertices[crossing.position_b] == crossing.vertex);
+      for (Index k = 0; k < made.crossings.size(); ++k) {
+        for (const ContourCrossing::Strand& strand : made.crossings[k].strands) {
+          CHECK(made.contours[strand.contour].vertices[strand.position] == k);
+        }
       }
     }
   }
@@ -82,26 +79,25 @@ TEST_CASE("two crossing discs have three faces with the right windings and areas
       cross_contours({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))}, {}, 5, 0.15);
   CHECK(made.crossings.size() == 2);
   CHECK(made.arcs.size() == 4);
-  const FacesResult found = find_faces(made);
+  const Faces found = find_faces(made);
   REQUIRE(found.conflicts.empty());
-  REQUIRE(found.faces.winding.size() == 4);
-  CHECK(found.faces.winding[0] == std::vector<int>{0, 0});
+  REQUIRE(found.winding.size() == 4);
+  CHECK(found.winding[0] == std::vector<int>{0, 0});
   const double lens = 2500 * (2 * std::numbers::pi / 3 - std::sqrt(3.0) / 2);
   for (std::size_t f = 1; f < 4; ++f) {
-    const bool both = found.faces.winding[f] == std::vector<int>{1, 1};
-    CHECK(found.faces.area[f] == Approx(both ? lens : 2500 * std::numbers::pi - lens).epsilon(0.01));
+    const bool both = found.winding[f] == std::vector<int>{1, 1};
+    CHECK(found.area[f] == Approx(both ? lens : 2500 * std::numbers::pi - lens).epsilon(0.01));
   }
 }
 
 TEST_CASE("nested contours are wound without crossing anything") {
   Points inner = circle({0, 0}, 20);
   std::reverse(inner.begin(), inner.end());
-  const FacesResult found =
-      find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, {}, 5, 0.15));
-  REQUIRE(found.faces.winding.size() == 3);
+  const Faces found = find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, {}, 5, 0.15));
+  REQUIRE(found.winding.size() == 3);
   for (std::size_t f = 1; f < 3; ++f) {
-    const bool ring = found.faces.area[f] > 5000;
-    CHECK(found.faces.winding[f] == (ring ? std::vector<int>{1, 0} : std::vector<int>{1, -1}));
+    const bool ring = found.area[f] > 5000;
+    CHECK(found.winding[f] == (ring ? std::vector<int>{1, 0} : std::vector<int>{1, -1}));
   }
 }
 
@@ -131,25 +127,23 @@ TEST_CASE("blame is found exactly where there is no labelling") {
   int possible = 0, impossible = 0;
   for (int round = 0; round < 60; ++round) {
     std::vector<ContourPath> paths;
-    std::vector<int> sides;
     for (int i = 0; i < 3; ++i) {
       paths.push_back(closed_path(circle({random.between(-40, 40), random.between(-40, 40)}, random.between(30, 60))));
-      sides.push_back(random.below(8) == 0 ? -1 : 1);
+      paths.back().side = random.below(8) == 0 ? -1 : 1;
     }
     Arrangement made = cross_contours(paths, {}, 5, 0.15);
     for (ContourCrossing& crossing : made.crossings) {
-      using Over = ContourCrossing::Over;
-      crossing.over = std::array{Over::A, Over::A, Over::B, Over::Unknown}[random.below(4)];
+      crossing.over = std::array{Index{0}, Index{0}, Index{1}, no_index}[random.below(4)];
     }
     if (random.below(3) > 0) std::ranges::fill(made.may_be_covered, std::uint8_t{1});
-    const FacesResult found = find_faces(made);
+    const Faces found = find_faces(made);
     if (!found.conflicts.empty()) continue;
-    const Labelling full = label_arrangement(made, sides, found.faces, LabellingRules::Full);
-    const Labelling blamed = label_arrangement(made, sides, found.faces, LabellingRules::Blame);
+    const Labelling full = label_arrangement(made, found, LabellingRules::Full);
+    const Labelling blamed = label_arrangement(made, found, LabellingRules::Blame);
     const bool any = !blamed.wrong_arcs.empty() || !blamed.wrong_crossings.empty() || !blamed.wrong_faces.empty();
     INFO("round " << round);
     REQUIRE(blamed.side.size() == paths.size());
-    CHECK(any == (full.status == IntegerProgram::Status::Infeasible));
+    CHECK(any == full.side.empty());
     ++(any ? impossible : possible);
   }
   CHECK(std::min(possible, impossible) >= 8);

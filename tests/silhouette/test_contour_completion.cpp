@@ -32,7 +32,7 @@ TEST_CASE("a U-turn is a half circle that costs 2 pi of bending at any size") {
     const auto curve = u_turn(d);
     CHECK(completion_cost(curve, 0, d, lengths_only) == Approx(pi / 2).epsilon(0.02));
     CHECK(completion_cost(curve, 0, d, bending_only) == Approx(2 * pi).epsilon(0.05));
-    for (const Vec2& point : bezier_points(curve, d / 50)) {
+    for (const Vec2& point : completion_points(curve, {}, d / 50, {}, 0)) {
       CHECK((point - Vec2(d / 2, 0)).norm() == Approx(d / 2).epsilon(0.02));
     }
   }
@@ -53,7 +53,7 @@ TEST_CASE("completions leave both ends along their tangents") {
   const auto curve = completion_curve(a, ta, b, tb);
   CHECK((curve[1] - a).normalized().dot(ta) == Approx(1));
   CHECK((curve[2] - b).normalized().dot(tb) == Approx(1));
-  const Points points = bezier_points(curve, 2);
+  const Points points = completion_points(curve, {}, 2, {}, 0);
   CHECK(points.front() == a);
   CHECK((points.back() - b).norm() < 1e-12);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) CHECK((points[i + 1] - points[i]).norm() < 3.1);

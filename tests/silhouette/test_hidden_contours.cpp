@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/figure/drawn_cover.h"
+#include "algorithms/silhouette/figure/contour_completion.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "silhouette/labelled_counts.h"

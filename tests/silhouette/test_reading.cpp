@@ -9,6 +9,7 @@
 
 #include "algorithms/silhouette/reading/connections.h"
 #include "algorithms/silhouette/reading/envelope.h"
+#include "algorithms/silhouette/reading/reading_program.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
@@ -205,6 +206,36 @@ TEST_CASE("what is told of a stroke holds") {
   }
 }
 
+TEST_CASE("what is told to be ignored isn't missed in the solid") {
+  Drawing drawing;
+  for (const auto& [id, radius] : {std::pair("table", 400.0), std::pair("mug", 100.0)}) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 90; ++i) points.emplace_back(radius * std::cos(i * pi / 45), radius * std::sin(i * pi / 45));
+    drawing.strokes.push_back(stroke_of(id, points, true));
+  }
+  drawing.strokes.front().data[kind_key] = to_string(StrokeKind::Ignored);
+  const Solid solid = solid_of(drawing);
+  CHECK_FALSE(has_errors(solid.findings));
+  CHECK(solid.objects.size() == 1);
+  CHECK(solid.used == Approx(0.2));
+}
+
+TEST_CASE("where all lines are set to be ignored, one sentence says so") {
+  Drawing drawing;
+  for (const char* id : {"one", "other"}) {
+    drawing.strokes.push_back(stroke_of(id, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, true));
+    drawing.strokes.back().data[kind_key] = to_string(StrokeKind::Ignored);
+  }
+  try {
+    read(drawing);
+    FAIL("there is no reading");
+  } catch (const Error& error) {
+    REQUIRE(error.findings().size() == 1);
+    CHECK(error.findings().front().code == "E_NO_OUTLINE");
+    CHECK_THAT(error.findings().front().message, Catch::Contains("ignored"));
+  }
+}
+
 TEST_CASE("limbs of one line grow out of the body, and details lie on its front") {
   for (std::uint64_t seed = 3; seed < 5; ++seed) {
     const Drawing pet = PetDrawing(seed).take();
@@ -335,6 +366,40 @@ Stroke ellipse(const std::string& id, const Vec2& centre, const Vec2& axes, doub
 }
 
 }  // namespace
+
+TEST_CASE("lines with hidden ends that cross in full view are not both contours in another reading") {
+  Drawing drawing;
+  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+  for (const double x : {-40.0, 0.0}) {  // legs that overlap
+    std::vector<Vec2> leg{{x, belly(x)}};
+    for (int i = 0; i <= 12; ++i) {
+      leg.emplace_back(x + 35 - 35 * std::cos(pi * i / 12), -220 - 35 * std::sin(pi * i / 12));
+    }
+    leg.emplace_back(x + 70, belly(x + 70));
+    drawing.strokes.push_back(stroke_of(x < 0 ? "left" : "right", leg));
+  }
+  const SampledDrawing sampled = sample_strokes(drawing, Options::of(Preset::Tablet).strokes);
+  const Connections found = find_connections(sampled.strokes, sampled.scale, Progress{});
+  const Envelope envelope = enclosed_regions(sampled.strokes);
+  ReadingProgram program(sampled.strokes, found, envelope);
+  const auto contours = [](const Reading& reading) { return std::ranges::count(reading.kinds, LineKind::Contour); };
+  const auto has_hidden_ends = [&](const Reading& reading, Index stroke) {
+    return std::ranges::any_of(reading.meetings,
+                               [&](const EndMeeting& meeting) { return found.ends[meeting.end].stroke == stroke; });
+  };
+  const std::optional<Reading> first = program.best();
+  REQUIRE(first);
+  REQUIRE(contours(*first) == 3);
+  CHECK_FALSE(program.exclude_crossing(*first, 0, 1, {0, -89}));  // a closed line lies in front or behind
+  CHECK(contours(*program.best()) == 3);
+  REQUIRE(program.exclude_crossing(*first, 1, 2, {15, -254}));
+  for (int k = 0; k < 6; ++k) {
+    const std::optional<Reading> other = program.best();
+    REQUIRE(other);
+    CHECK_FALSE((has_hidden_ends(*other, 1) && has_hidden_ends(*other, 2)));
+    program.exclude(*other, {}, true);
+  }
+}
 
 TEST_CASE("what lies between two legs is outside, however near their feet are") {
   for (const double between : {8.0, 15.0, 25.0}) {

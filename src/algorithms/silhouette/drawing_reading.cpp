@@ -17,7 +17,6 @@
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/told_hidden.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
@@ -73,7 +72,7 @@ constexpr int most_readings = 8;
 // And so many connections of the same strokes before their kinds must change.
 constexpr int most_connections = 3;
 // A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
-constexpr int most_matchings = 60;
+constexpr int most_matchings = 30;
 constexpr int most_later_matchings = 12;
 
 void append(Findings from, Findings& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
@@ -167,7 +166,7 @@ void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
 /// What was found of every stroke of the drawing.
 std::vector<StrokeKind> kinds_of(const Material& material, const Reading& reading) {
   std::vector<StrokeKind> kinds(material.drawing.strokes.size(), StrokeKind::Ignored);
-  for (const HiddenStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
+  for (const SampledStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     StrokeKind& kind = kinds[material.sampled.strokes[s].stroke];
     switch (reading.kinds[s]) {
@@ -247,10 +246,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
   meet_bars(lines, contours.targets, scale);  // bars may have moved
-  ToldHidden told = told_hidden(drawing, material.sampled.hidden, lines, scale);
   Junctions junctions =
-      find_junctions(drawing, lines, contours.targets, std::move(told.pieces), order, scale, progress);
-  std::move(told.findings.begin(), told.findings.end(), std::back_inserter(junctions.findings));
+      find_junctions(drawing, lines, contours.targets, material.sampled.hidden, order, scale, progress);
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
@@ -275,22 +272,28 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   return result;
 }
 
-/// Per error the strokes that it is about, as positions among the sampled ones; none stands for all.
-std::vector<std::vector<Index>> faulty_strokes(const Material& material, const Findings& findings) {
-  std::vector<std::vector<Index>> faulty;
+/// What an error is about.
+struct Fault {
+  std::vector<Index> strokes;    ///< positions among the sampled ones; none stands for all
+  std::optional<Vec2> crossing;  ///< where lines cross or touch
+};
+
+std::vector<Fault> faults_of(const Material& material, const Findings& findings) {
+  std::vector<Fault> faults;
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::Error) continue;
-    faulty.emplace_back();
+    Fault& fault = faults.emplace_back();
     for (Index s = 0; s < material.sampled.strokes.size(); ++s) {
       const std::string& id = material.drawing.strokes[material.sampled.strokes[s].stroke].id;
-      const bool named = std::ranges::any_of(finding.subjects, [&](const Subject& subject) {
-        return subject.kind == SubjectKind::Stroke && subject.id == id;
-      });
-      if (named) faulty.back().push_back(s);
+      const auto subject = std::ranges::find_if(
+          finding.subjects, [&](const Subject& named) { return named.kind == SubjectKind::Stroke && named.id == id; });
+      if (subject == finding.subjects.end()) continue;
+      fault.strokes.push_back(s);
+      if (finding.code == "E_CROSS" && subject->at.size() == 2) fault.crossing = Vec2(subject->at[0], -subject->at[1]);
     }
   }
-  if (faulty.empty()) faulty.emplace_back();
-  return faulty;
+  if (faults.empty()) faults.emplace_back();
+  return faults;
 }
 
 /// Strokes taken for details of which much lies beside everything: there would be nothing of them.
@@ -344,6 +347,34 @@ Findings left_out(const Material& material, const Reading& reading) {
   return findings;
 }
 
+/// What to say where no reading is left.
+LabelledDrawing nothing_read(const Material& material, const ReadingProgram& program) {
+  LabelledDrawing nothing;
+  nothing.findings = material.sampled.findings;
+  add_dots(material, nothing);
+  const auto is_ignored = [](const SampledStroke& stroke) { return stroke.told == StrokeKind::Ignored; };
+  const std::vector<SampledStroke>& strokes = material.sampled.strokes;
+  if (!strokes.empty() && std::ranges::all_of(strokes, is_ignored)) {
+    nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
+                                          "All lines of the drawing are set to be ignored: give the outline of "
+                                          "something another kind"));
+    return nothing;
+  }
+  for (const Index s : program.contradictions()) {
+    if (is_ignored(material.sampled.strokes[s])) continue;
+    const Index stroke = material.sampled.strokes[s].stroke;
+    nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
+                                          in_quotes(material.drawing, stroke) + " can't be a " +
+                                              to_string(material.sampled.strokes[s].told) +
+                                              ": let its ends meet something, or give it another kind",
+                                          {stroke_subject(material.drawing, stroke)}));
+  }
+  if (has_errors(nothing.findings)) return nothing;
+  nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
+                                        "The drawing's lines enclose nothing: draw the outline of something"));
+  return nothing;
+}
+
 }  // namespace
 
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
@@ -370,7 +401,8 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
       if (!with_losses) with_losses = std::move(labelled);
       continue;
     }
-    for (const std::vector<Index>& strokes : faulty_strokes(material, labelled.findings)) {
+    for (const auto& [strokes, crossing] : faults_of(material, labelled.findings)) {
+      if (crossing && program.exclude_crossing(*reading, strokes.front(), strokes.back(), *crossing)) continue;
       // What fails again and again isn't saved by other connections.
       program.exclude(*reading, strokes, ++failed[strokes] <= most_connections);
     }
@@ -379,21 +411,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   }
   if (with_losses) return *std::move(with_losses);
   if (first) return *std::move(first);
-  LabelledDrawing nothing;
-  nothing.findings = material.sampled.findings;
-  add_dots(material, nothing);
-  for (const Index s : program.contradictions()) {
-    const Index stroke = material.sampled.strokes[s].stroke;
-    nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
-                                          in_quotes(drawing, stroke) + " can't be a " +
-                                              to_string(material.sampled.strokes[s].told) +
-                                              ": let its ends meet something, or give it another kind",
-                                          {stroke_subject(drawing, stroke)}));
-  }
-  if (has_errors(nothing.findings)) return nothing;
-  nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
-                                        "The drawing's lines enclose nothing: draw the outline of something"));
-  return nothing;
+  return nothing_read(material, program);
 }
 
 }  // namespace croquis::silhouette

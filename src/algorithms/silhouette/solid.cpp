@@ -36,6 +36,7 @@ constexpr double least_use = 0.5;
 /// How much of a drawing a solid is made of. Lines that are drawn as hidden aren't counted.
 struct DrawnUse {
   double share = 1;                 ///< by length
+  double meant = 1;                 ///< the same of lines that aren't told to be ignored, which nobody misses
   bool has_largest_outline = true;  ///< no stroke that is left out encloses more than any outline of the solid
   Index left_out = no_index;        ///< that stroke, else the longest one
 };
@@ -48,28 +49,33 @@ DrawnUse use_of(const Drawing& drawing, const Solid& solid, double largest_area)
     for (const Index stroke : object.strokes) used[stroke] = true;
   }
   for (const SurfaceLine& line : solid.lines) used[line.stroke] = true;
-  double whole = 0, used_length = 0, longest = 0, most_area = largest_area;
+  double whole = 0, ignored = 0, used_length = 0, longest = 0, most_area = largest_area;
   Index largest = no_index, longest_left = no_index;
   for (Index s = 0; s < drawing.strokes.size(); ++s) {
     const Stroke& stroke = drawing.strokes[s];
     if (stroke_kind(stroke) == StrokeKind::Hidden) continue;
     const std::vector<Vec2> points = sample_places(stroke);
     const double own = length(points, stroke.closed), area = std::abs(signed_area(points));
+    whole += own;
+    if (stroke_kind(stroke) == StrokeKind::Ignored) {
+      ignored += own;
+      continue;
+    }
     const bool encloses = stroke.closed || (points.back() - points.front()).norm() < open_share * own;
     if (!used[s] && encloses && area > most_area) std::tie(largest, most_area) = std::pair(s, area);
-    whole += own;
     if (used[s]) used_length += own;
     if (!used[s] && own > longest) std::tie(longest_left, longest) = std::pair(s, own);
   }
   const bool has_largest = largest == no_index;
-  return {whole > 0 ? used_length / whole : 1, has_largest, has_largest ? longest_left : largest};
+  const auto share_of = [&](double length) { return length > 0 ? used_length / length : 1; };
+  return {share_of(whole), share_of(whole - ignored), has_largest, has_largest ? longest_left : largest};
 }
 
 Finding left_out_error(const Drawing& drawing, const DrawnUse& use) {
   const Stroke& stroke = drawing.strokes[use.left_out];
   Subject subject{SubjectKind::Stroke, stroke.id, {}, stroke.line, {}};
   if (!drawing.file.empty()) subject.file = drawing.file;
-  const auto percent = static_cast<int>(100 * use.share);
+  const auto percent = static_cast<int>(100 * use.meant);
   return make_error(Category::Geometry, "E_LEFT_OUT",
                     "The solid would use only " + std::to_string(percent) + " % of what is drawn and lack \"" +
                         stroke.id +
@@ -106,7 +112,7 @@ class SolidBuilder {
     const Findings& labelling = labelled.findings;
     add_lines(labelled);
     const DrawnUse use = use_of(drawing_, solid_, largest_area_);
-    if (solid_.objects.empty() || use.share < least_use || !use.has_largest_outline) {
+    if (solid_.objects.empty() || use.meant < least_use || !use.has_largest_outline) {
       solid_.findings.insert(solid_.findings.begin(), labelling.begin(), labelling.end());
       if (!solid_.objects.empty()) {
         solid_.findings.insert(solid_.findings.begin(), left_out_error(drawing_, use));

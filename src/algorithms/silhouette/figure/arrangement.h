@@ -1,57 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "algorithms/silhouette/strokes/visible_crossings.h"
+#include "croquis/geometry/planar_triangulation.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
 
-/// A closed contour before it is crossed with the others.
-struct ContourPath {
-  /// How much of a segment is drawn; a stem's last segment is drawn up to its bar.
+/// What a segment of a contour is a piece of.
+struct ContourSegment {
+  /// How much of it is drawn; a stem's last segment is drawn up to its bar.
   enum class Drawn : std::uint8_t { No, Yes, UntilCut, FromCut };
 
+  Drawn drawn = Drawn::No;
+  Index stroke = 0;             ///< the stroke drawn, or of a completion the stroke it continues
+  Index line = no_index;        ///< the drawn line, no_index for a completion
+  Index completion = no_index;  ///< which of the chosen completions, no_index for a line
+  double cut = 0;               ///< fraction at which its bar crosses it
+
+  bool starts_drawn() const { return drawn == Drawn::Yes || drawn == Drawn::UntilCut; }
+};
+
+/// A closed contour before it is crossed with the others.
+struct ContourPath {
   Points points;
-  std::vector<Drawn> drawn;    ///< per segment i → i+1, cyclic
-  std::vector<double> cut;     ///< per segment: fraction at which its bar crosses it
-  std::vector<Index> stroke;   ///< per segment: the stroke drawn, or of a completion the stroke it continues
-  std::vector<Index> line;     ///< per segment: the drawn line, no_index for a completion
-  std::vector<Index> strokes;  ///< in order along the contour
-  int side = 0;                ///< surface left (+1), right (-1), unknown (0)
+  std::vector<ContourSegment> segments;  ///< i → i+1, cyclic
+  Points raw;                            ///< per point: where it was before it was smoothed
+  std::vector<Index> strokes;            ///< in order along the contour
+  int side = 0;                          ///< surface left (+1), right (-1), unknown (0)
 };
 
-/// A crossing of contours a and b, or of a with itself.
+/// A crossing of two contours, or of one with itself.
 struct ContourCrossing {
-  enum class Over : std::uint8_t { Unknown, A, B };
+  /// One of the two that cross here.
+  struct Strand {
+    Index contour = 0;
+    Index position = 0;  ///< of the crossing among the contour's vertices
+    Index before = 0;    ///< the arcs that arrive here and leave
+    Index after = 0;
+  };
 
-  Index vertex = 0;
-  Index contour_a = 0;
-  Index position_a = 0;  ///< of the vertex in contour a
-  Index contour_b = 0;
-  Index position_b = 0;
-  int sign = 0;               ///< of cross(direction of a, direction of b)
-  Over over = Over::Unknown;  ///< known at a T-junction: the bar
-};
-
-/// A contour with its crossings as vertices.
-struct CrossedContour {
-  std::vector<Index> vertices;      ///< cyclic
-  std::vector<std::uint8_t> drawn;  ///< per segment
-  std::vector<Index> stroke;        ///< per segment
-  std::vector<Index> line;          ///< per segment
+  std::array<Strand, 2> strands;
+  int sign = 0;           ///< of cross(direction of the first, direction of the second)
+  Index over = no_index;  ///< the strand in front where that is known: at a T-junction the bar
 };
 
 /// All contours of a part in the plane: crossings are vertices, pieces between them arcs.
 struct Arrangement {
-  Points points;
-  std::vector<CrossedContour> contours;
+  Points points;                        ///< the crossings first
+  std::vector<FigureContour> contours;  ///< side 0 where it is unknown; objects not yet known
   std::vector<ContourCrossing> crossings;
   std::vector<FigureArc> arcs;                 ///< by contour, in order along it; depth not yet known
   std::vector<std::array<Index, 2>> segments;  ///< by contour, in order along it
+  std::vector<ContourSegment> origins;         ///< per segment: what it is a piece of
+  std::vector<Index> first_segment;            ///< per contour
   std::vector<Index> segment_arc;
   std::vector<std::uint8_t> may_be_covered;  ///< per arc: drawn, but something drawn may lie in front of it
+
+  /// The k-th segment of an arc.
+  Index segment_of(const FigureArc& arc, Index k) const {
+    const Index count = static_cast<Index>(contours[arc.contour].vertices.size());
+    return first_segment[arc.contour] + (arc.begin + k) % count;
+  }
+  Index middle_segment(const FigureArc& arc) const { return segment_of(arc, arc.count / 2); }
 };
 
 /// Crosses closed contours with one another: exact predicates, a uniform grid, near O(n).
@@ -61,17 +76,17 @@ struct Arrangement {
 Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
                            double merging);
 
-/// The index of the arc that arrives at, or leaves from, a vertex of a contour which is a crossing.
-struct ArcEnds {
-  std::vector<std::vector<Index>> arc_of_segment;  ///< per contour and segment
-
-  Index before(Index contour, Index position) const {
-    const std::vector<Index>& arcs = arc_of_segment[contour];
-    return arcs[(position + arcs.size() - 1) % arcs.size()];
-  }
-  Index after(Index contour, Index position) const { return arc_of_segment[contour][position]; }
+/// The faces of an arrangement: connected pieces of the plane without its contours. Face 0 is outside all.
+struct Faces {
+  PlanarTriangulation triangulation;  ///< of the arrangement's points, constrained to its segments
+  std::vector<Index> of_triangle;
+  std::vector<double> area;                      ///< per face; 0 of face 0
+  std::vector<std::vector<int>> winding;         ///< per face and contour: times the contour goes round it
+  std::vector<std::array<Index, 2>> beside_arc;  ///< per arc: the faces on its left and right
+  std::vector<Vec2> conflicts;  ///< places where contours overlap or meet in one point; then there are no faces
 };
 
-ArcEnds arc_ends(const Arrangement& arrangement);
+/// Triangulates the arrangement and floods it from outside, so that nested contours need no special care.
+Faces find_faces(const Arrangement& arrangement);
 
 }  // namespace croquis::silhouette

@@ -65,7 +65,7 @@ bool kept_apart(const LabelledFigure& figure, const Pairs& over, const std::vect
 
 std::vector<AttachSuggestion> attach_suggestions(const LabelledFigure& figure) {
   std::vector<AttachSuggestion> suggestions;
-  std::set<std::pair<Index, Index>> known;
+  Pairs known;
   Pairs over;
   for (const FigureOverlap& overlap : figure.overlaps) over.emplace(overlap.upper, overlap.lower);
   std::vector<double> areas;

@@ -6,214 +6,165 @@
 #include <map>
 #include <utility>
 
-#include "algorithms/silhouette/figure/kept_behind.h"
-
 namespace croquis::silhouette {
 namespace {
-
-using Drawn = ContourPath::Drawn;
 
 // Samples of a known piece nearer to its bar than so many times what its line goes on behind it give way.
 constexpr double clearance = 1.5;
 
-class Closer {
- public:
-  Closer(const std::vector<CleanLine>& lines, const Junctions& junctions, const PartLines& part,
-         const std::vector<ChosenCompletion>& chosen, double spacing, double stretch)
-      : lines_(lines), junctions_(junctions), part_(part), chosen_(chosen), spacing_(spacing), stretch_(stretch) {
-    choice_of_.assign(part.ends.size(), no_index);
-    for (Index k = 0; k < chosen.size(); ++k) {
-      choice_of_[part.candidates[chosen[k].candidate].a] = k;
-      choice_of_[part.candidates[chosen[k].candidate].b] = k;
-    }
-    for (Index e = 0; e < part.ends.size(); ++e) {
-      const HiddenEnd& end = junctions.ends[part.ends[e]];
-      position_[{end.line, end.at_start}] = e;
-    }
-  }
+/// Which completion every end is in.
+struct ChosenEnds {
+  const FigureContext& context;
+  const PartLines& part;
+  const std::vector<ChosenCompletion>& chosen;
+  std::map<std::pair<Index, bool>, Index> position;  ///< in part.ends: of a line's start (true) and end
+  std::vector<Index> choice;                         ///< per position: index into chosen
 
-  std::optional<ClosedContours> close() {
-    for (const Index line : part_.lines) {
-      if (done_.count(line) != 0) continue;
-      if (!(lines_[line].closed ? add_closed(line) : add_open(line))) return std::nullopt;
-    }
-    return std::move(result_);
-  }
-
- private:
-  bool add_closed(Index line) {
-    done_[line] = true;
-    ContourPath path;
-    path.points = lines_[line].points;
-    path.drawn.assign(path.points.size(), Drawn::Yes);
-    path.cut.assign(path.points.size(), 0.0);
-    path.stroke = lines_[line].stroke;
-    path.line.assign(path.points.size(), line);
-    path.strokes = lines_[line].strokes;
-    path.side = junctions_.sides[line];
-    result_.paths.push_back(std::move(path));
-    result_.raw.push_back(lines_[line].raw);
-    return true;
-  }
-
-  /// Follows lines and completions until the first line comes again.
-  bool add_open(Index first) {
-    ContourPath path;
-    Points raw;
-    Index line = first;
-    bool forward = true;
-    do {
-      if (done_.count(line) != 0) return false;  // walked in both directions: the sides contradict each other
-      done_[line] = true;
-      const int side = forward ? junctions_.sides[line] : -junctions_.sides[line];
-      if (side != 0 && path.side == -side) return false;
-      if (side != 0) path.side = side;
-      append_line(line, forward, path, raw);
-      const Index leaving = position_.at({line, !forward});
-      const Index arriving = append_completion(leaving, path, raw);
-      const HiddenEnd& end = junctions_.ends[part_.ends[arriving]];
-      line = end.line;
-      forward = end.at_start;
-    } while (line != first);
-    if (!forward) return false;
-    drop_repeated(path.strokes);
-    result_.paths.push_back(std::move(path));
-    result_.raw.push_back(std::move(raw));
-    return true;
-  }
-
-  /// A stroke that is hidden in between comes as several lines and as what is known between them.
-  static void drop_repeated(std::vector<Index>& strokes) {
-    std::vector<Index> once;
-    for (const Index stroke : strokes) {
-      if (std::find(once.begin(), once.end(), stroke) == once.end()) once.push_back(stroke);
-    }
-    strokes = std::move(once);
-  }
-
-  /// Appends the points of a line but its last one, with which the completion begins.
-  void append_line(Index index, bool forward, ContourPath& path, Points& raw) {
-    const CleanLine& line = lines_[index];
-    Points points = line.points;
-    std::vector<Index> stroke = line.stroke;
-    Points drawn = line.raw;
-    std::vector<Index> strokes = line.strokes;
-    if (!forward) {
-      std::reverse(points.begin(), points.end());
-      std::reverse(stroke.begin(), stroke.end());
-      std::reverse(drawn.begin(), drawn.end());
-      std::reverse(strokes.begin(), strokes.end());
-    }
-    if (points.size() == 2) {  // the cuts of both ends need a segment each
-      points.insert(points.begin() + 1, 0.5 * (points[0] + points[1]));
-      drawn.insert(drawn.begin() + 1, 0.5 * (drawn[0] + drawn[1]));
-      stroke.insert(stroke.begin() + 1, stroke.front());
-    }
-    const std::size_t count = points.size() - 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      path.points.push_back(points[i]);
-      path.stroke.push_back(stroke[i]);
-      path.line.push_back(index);
-      path.drawn.push_back(i == 0 ? Drawn::FromCut : i + 1 == count ? Drawn::UntilCut : Drawn::Yes);
-      const bool at_start = i == 0 ? forward : !forward;
-      const bool at_end = i == 0 || i + 1 == count;
-      path.cut.push_back(at_end ? nearest_parameter(place_of_end(index, at_start), points[i], points[i + 1]) : 0.0);
-    }
-    path.strokes.insert(path.strokes.end(), strokes.begin(), strokes.end());
-    raw.insert(raw.end(), drawn.begin(), drawn.end() - 1);
-  }
-
-  Vec2 place_of_end(Index line, bool at_start) const {
-    return junctions_.ends[part_.ends[position_.at({line, at_start})]].at;
-  }
-
-  /// Appends the completion from an end, without its last point. Returns the end it leads to.
-  Index append_completion(Index leaving, ContourPath& path, Points& raw) {
-    const Index choice = choice_of_[leaving];
-    const CompletionCandidate& candidate = part_.candidates[chosen_[choice].candidate];
-    const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
-    HiddenCurve curve = candidate.given != no_index ? given_curve(candidate.given, leaving, arriving)
-                                                    : completed_curve(candidate, choice, leaving);
-    const auto inner = curve.points.end() - 1;
-    path.points.insert(path.points.end(), curve.points.begin(), inner);
-    path.stroke.insert(path.stroke.end(), curve.stroke.begin(), curve.stroke.end() - 1);
-    path.drawn.insert(path.drawn.end(), curve.points.size() - 1, Drawn::No);
-    path.line.insert(path.line.end(), curve.points.size() - 1, no_index);
-    path.cut.insert(path.cut.end(), curve.points.size() - 1, 0.0);
-    raw.insert(raw.end(), curve.points.begin(), inner);
-    if (candidate.given != no_index) {
-      path.strokes.insert(path.strokes.end(), curve.stroke.begin(), curve.stroke.end());
-    }
-    result_.choices.push_back(choice);
-    result_.completions.push_back({std::move(curve.points), static_cast<Index>(result_.paths.size()), candidate.cost});
-    return arriving;
-  }
-
-  struct HiddenCurve {
-    Points points;
-    std::vector<Index> stroke;  ///< per point
-  };
-
-  HiddenCurve completed_curve(const CompletionCandidate& candidate, Index choice, Index leaving) const {
-    std::array<Vec2, 4> curve = candidate.bezier;
-    if (candidate.b == leaving) std::reverse(curve.begin(), curve.end());
-    const std::uint8_t shape = candidate.shapes[chosen_[choice].shape];
-    const HiddenEnd& end = junctions_.ends[part_.ends[leaving]];
-    const bool kept = shape == kept_behind_shape;
-    const double stretch = choice % 2 == 0 ? stretch_ : -stretch_;
-    HiddenCurve result{shaped_points(curve, completion_shapes[kept ? 0 : shape], spacing_, stretch), {}};
-    if (kept) result.points = kept_behind(std::move(result.points), lines_[end.bar], end.bar_side, spacing_);
-    result.stroke.assign(result.points.size(), lines_[end.line].end_stroke(end.at_start));
-    return result;
-  }
-
-  /// A known piece, between the places behind their bars that the two ends were carried on to.
-  HiddenCurve given_curve(Index piece, Index leaving, Index arriving) const {
-    const GivenPiece& given = junctions_.given[piece];
-    const HiddenEnd& from = junctions_.ends[part_.ends[leaving]];
-    const HiddenEnd& to = junctions_.ends[part_.ends[arriving]];
-    HiddenCurve all{given.points, given.stroke};
-    if (given.from != part_.ends[leaving]) {
-      std::reverse(all.points.begin(), all.points.end());
-      std::reverse(all.stroke.begin(), all.stroke.end());
-    }
-    const Vec2& first = lines_[from.line].end(from.at_start);
-    const Vec2& last = lines_[to.line].end(to.at_start);
-    const double clear_first = clearance * (first - from.at).norm();
-    const double clear_last = clearance * (last - to.at).norm();
-    HiddenCurve result{{first}, {all.stroke.front()}};
-    for (std::size_t i = 0; i < all.points.size(); ++i) {
-      if ((all.points[i] - from.at).norm() < clear_first || (all.points[i] - to.at).norm() < clear_last) continue;
-      result.points.push_back(all.points[i]);
-      result.stroke.push_back(all.stroke[i]);
-    }
-    if (result.points.size() == 1) {
-      result.points.emplace_back(0.5 * (first + last));
-      result.stroke.push_back(all.stroke.front());
-    }
-    result.points.push_back(last);
-    result.stroke.push_back(all.stroke.back());
-    return result;
-  }
-
-  const std::vector<CleanLine>& lines_;
-  const Junctions& junctions_;
-  const PartLines& part_;
-  const std::vector<ChosenCompletion>& chosen_;
-  double spacing_;
-  double stretch_;
-  std::vector<Index> choice_of_;                      ///< per end: index into chosen_
-  std::map<std::pair<Index, bool>, Index> position_;  ///< of an end in part_.ends
-  std::map<Index, bool> done_;
-  ClosedContours result_;
+  const HiddenEnd& end(Index at) const { return context.junctions.ends[part.ends[at]]; }
 };
+
+ChosenEnds chosen_ends(const FigureContext& context, const PartLines& part,
+                       const std::vector<ChosenCompletion>& chosen) {
+  ChosenEnds ends{context, part, chosen, {}, std::vector<Index>(part.ends.size(), no_index)};
+  for (Index e = 0; e < part.ends.size(); ++e) ends.position[{ends.end(e).line, ends.end(e).at_start}] = e;
+  for (Index k = 0; k < chosen.size(); ++k) {
+    ends.choice[part.candidates[chosen[k].candidate].a] = k;
+    ends.choice[part.candidates[chosen[k].candidate].b] = k;
+  }
+  return ends;
+}
+
+ContourPath path_of_line(const CleanLine& line, Index index) {
+  ContourPath path{line.points, {}, line.raw, line.strokes};
+  for (const Index stroke : line.stroke) path.segments.push_back({ContourSegment::Drawn::Yes, stroke, index});
+  return path;
+}
+
+/// An open line between the bars of its ends, the one that it is entered by first.
+ContourPath path_between_bars(const ChosenEnds& ends, Index index, bool forward) {
+  ContourPath path = path_of_line(ends.context.lines[index], index);
+  if (!forward) {
+    std::ranges::reverse(path.points);
+    std::ranges::reverse(path.segments);
+    std::ranges::reverse(path.raw);
+    std::ranges::reverse(path.strokes);
+  }
+  if (path.points.size() == 2) {  // the cuts of both ends need a segment each
+    path.points.insert(path.points.begin() + 1, 0.5 * (path.points[0] + path.points[1]));
+    path.raw.insert(path.raw.begin() + 1, 0.5 * (path.raw[0] + path.raw[1]));
+    path.segments.insert(path.segments.begin() + 1, path.segments.front());
+  }
+  const auto cut = [&](std::size_t segment, bool at_start, ContourSegment::Drawn drawn) {
+    const Vec2& bar = ends.end(ends.position.at({index, at_start})).at;
+    path.segments[segment].drawn = drawn;
+    path.segments[segment].cut = nearest_parameter(bar, path.points[segment], path.points[segment + 1]);
+  };
+  cut(0, forward, ContourSegment::Drawn::FromCut);
+  cut(path.points.size() - 2, !forward, ContourSegment::Drawn::UntilCut);
+  return path;
+}
+
+ContourPath hidden_piece(Points points, const std::vector<Index>& strokes, Index choice) {
+  ContourPath piece{points, {}, std::move(points), {}};
+  for (const Index stroke : strokes) piece.segments.push_back({ContourSegment::Drawn::No, stroke, no_index, choice});
+  return piece;
+}
+
+/// The completion from an end on.
+ContourPath completed_piece(const ChosenEnds& ends, Index choice, Index leaving) {
+  const CompletionCandidate& candidate = ends.part.candidates[ends.chosen[choice].candidate];
+  const std::vector<CleanLine>& lines = ends.context.lines;
+  Cubic curve = candidate.curve;
+  if (candidate.b == leaving) std::ranges::reverse(curve);
+  const CompletionShape& shape = completion_shapes[candidate.shapes[ends.chosen[choice].shape]];
+  const HiddenEnd& end = ends.end(leaving);
+  Points points = completion_points(curve, shape, ends.context.scale.step, lines[end.bar], end.bar_side);
+  const std::vector<Index> strokes(points.size(), lines[end.line].end_stroke(end.at_start));
+  return hidden_piece(std::move(points), strokes, choice);
+}
+
+/// A known piece, between the places behind their bars that the two ends were carried on to.
+ContourPath given_piece(const ChosenEnds& ends, const GivenPiece& given, Index choice, Index leaving, Index arriving) {
+  const auto carried_on = [&](const HiddenEnd& end) { return ends.context.lines[end.line].end(end.at_start); };
+  const auto is_clear = [&](const Vec2& place, const HiddenEnd& end) {
+    return (place - end.at).norm() >= clearance * (carried_on(end) - end.at).norm();
+  };
+  const bool forward = given.from == ends.part.ends[leaving];
+  Points points{carried_on(ends.end(leaving))};
+  std::vector<Index> strokes{forward ? given.stroke.front() : given.stroke.back()};
+  for (std::size_t k = 0; k < given.points.size(); ++k) {
+    const std::size_t i = forward ? k : given.points.size() - 1 - k;
+    if (!is_clear(given.points[i], ends.end(leaving)) || !is_clear(given.points[i], ends.end(arriving))) continue;
+    points.push_back(given.points[i]);
+    strokes.push_back(given.stroke[i]);
+  }
+  points.push_back(carried_on(ends.end(arriving)));
+  strokes.push_back(forward ? given.stroke.back() : given.stroke.front());
+  ContourPath piece = hidden_piece(std::move(points), strokes, choice);
+  piece.strokes = std::move(strokes);
+  return piece;
+}
+
+/// Appends a piece but its last point, with which the next one begins. A stroke that is hidden in between comes as
+/// several lines and as what is known between them.
+void append_piece(const ContourPath& piece, ContourPath& path) {
+  path.points.insert(path.points.end(), piece.points.begin(), piece.points.end() - 1);
+  path.segments.insert(path.segments.end(), piece.segments.begin(), piece.segments.end() - 1);
+  path.raw.insert(path.raw.end(), piece.raw.begin(), piece.raw.end() - 1);
+  for (const Index stroke : piece.strokes) {
+    if (std::ranges::find(path.strokes, stroke) == path.strokes.end()) path.strokes.push_back(stroke);
+  }
+}
+
+/// Appends the completion from an end. Returns the end it leads to.
+Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path, ClosedContours& result) {
+  const Index choice = ends.choice[leaving];
+  const CompletionCandidate& candidate = ends.part.candidates[ends.chosen[choice].candidate];
+  const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
+  ContourPath piece = candidate.given == no_index
+                          ? completed_piece(ends, choice, leaving)
+                          : given_piece(ends, ends.context.junctions.given[candidate.given], choice, leaving, arriving);
+  append_piece(piece, path);
+  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost()});
+  return arriving;
+}
+
+/// Follows lines and completions until the first line comes again.
+bool add_open_lines(const ChosenEnds& ends, Index first, std::vector<char>& done, ClosedContours& result) {
+  ContourPath path;
+  Index line = first;
+  bool forward = true;
+  do {
+    if (done[line]) return false;  // walked in both directions: the sides contradict each other
+    done[line] = 1;
+    const int side = (forward ? 1 : -1) * ends.context.junctions.sides[line];
+    if (side != 0 && path.side == -side) return false;
+    if (side != 0) path.side = side;
+    append_piece(path_between_bars(ends, line, forward), path);
+    const HiddenEnd& end = ends.end(append_completion(ends, ends.position.at({line, !forward}), path, result));
+    line = end.line;
+    forward = end.at_start;
+  } while (line != first);
+  result.paths.push_back(std::move(path));
+  return forward;
+}
 
 }  // namespace
 
-std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                             const PartLines& part, const std::vector<ChosenCompletion>& chosen,
-                                             double spacing, double stretch) {
-  return Closer(lines, junctions, part, chosen, spacing, stretch).close();
+std::optional<ClosedContours> close_contours(const FigureContext& context, const PartLines& part,
+                                             const std::vector<ChosenCompletion>& chosen) {
+  const ChosenEnds ends = chosen_ends(context, part, chosen);
+  ClosedContours result;
+  std::vector<char> done(context.lines.size(), 0);
+  for (const Index line : part.lines) {
+    if (context.lines[line].closed) {
+      result.paths.push_back(path_of_line(context.lines[line], line));
+      result.paths.back().side = context.junctions.sides[line];
+    } else if (!done[line] && !add_open_lines(ends, line, done, result)) {
+      return std::nullopt;
+    }
+  }
+  return result;
 }
 
 }  // namespace croquis::silhouette

@@ -6,6 +6,7 @@
 
 #include "algorithms/silhouette/figure/arrangement.h"
 #include "algorithms/silhouette/figure/contour_completion.h"
+#include "algorithms/silhouette/figure/figure_search.h"
 
 namespace croquis::silhouette {
 
@@ -16,25 +17,21 @@ struct PartLines {
   std::vector<CompletionCandidate> candidates;  ///< between positions in `ends`
 };
 
-/// Closed contours that a choice of completions makes of the lines.
-struct ClosedContours {
-  std::vector<ContourPath> paths;             ///< by the lowest line in them
-  std::vector<FigureCompletion> completions;  ///< one per candidate chosen
-  std::vector<Index> choices;                 ///< per completion: position among the chosen ones
-  std::vector<Points> raw;                    ///< per contour: strokes as drawn, completions between
-};
-
 /// A completion that is taken.
 struct ChosenCompletion {
   Index candidate = 0;
   Index shape = 0;  ///< position in the candidate's shapes
 };
 
+/// Closed contours that a choice of completions makes of the lines.
+struct ClosedContours {
+  std::vector<ContourPath> paths;             ///< by the lowest line in them
+  std::vector<FigureCompletion> completions;  ///< one per candidate chosen
+};
+
 /// Joins lines and completions. None when they would put the surface on both sides of a contour.
 /// @param chosen  every end in exactly one
-/// @param stretch completions have in turn longer and shorter handles by this share
-std::optional<ClosedContours> close_contours(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                             const PartLines& part, const std::vector<ChosenCompletion>& chosen,
-                                             double spacing, double stretch);
+std::optional<ClosedContours> close_contours(const FigureContext& context, const PartLines& part,
+                                             const std::vector<ChosenCompletion>& chosen);
 
 }  // namespace croquis::silhouette

@@ -10,9 +10,8 @@ namespace croquis::silhouette {
 /// Labels the parts of a drawing, each on its own as far as it can be.
 ///
 /// Lines that stop at one another, or are forced into one object, are connected. Those whose bounding boxes overlap are
-/// solved together; when that fails, each is tried alone and the good ones together again, so that one bad object
-/// doesn't exclude the others.
+/// solved together; when that fails, as many of them as go together, so that one bad object doesn't exclude the others.
 /// @param faults what is already known to be wrong with lines
-LabelledDrawing label_parts(const FigureContext& context, const LineFindings& faults, Progress& progress);
+LabelledDrawing label_parts(const FigureContext& context, const LineFindings& faults, const Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -23,7 +23,7 @@ struct FigureContext {
   double completion_reference = 1;  ///< length that completions are measured by
 };
 
-/// One of the two is empty.
+/// One of the two is empty, unless some of the lines were left out.
 struct FigureSearch {
   std::optional<LabelledFigure> figure;
   Findings findings;  ///< E_NO_LABELLING, E_TOUCH

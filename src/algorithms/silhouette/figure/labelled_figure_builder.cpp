@@ -2,27 +2,137 @@
 #include "algorithms/silhouette/figure/labelled_figure_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
-#include <string>
+#include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/figure/paneling.h"
+#include "algorithms/silhouette/figure/nested_outlines.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
 
-void add_contours(const ClosedContours& closed, const Arrangement& arrangement, const Labelling& labelling,
-                  LabelledFigure& figure) {
-  for (Index c = 0; c < arrangement.contours.size(); ++c) {
-    const CrossedContour& crossed = arrangement.contours[c];
-    FigureContour contour;
-    contour.vertices = crossed.vertices;
-    contour.drawn = crossed.drawn;
-    contour.strokes = closed.paths[c].strokes;
-    contour.side = labelling.side[c];
-    figure.contours.push_back(std::move(contour));
+/// An arc seen from the side with more layers.
+struct GluingStep {
+  Index more = 0;   ///< face
+  Index fewer = 0;  ///< face
+  Index depth = 0;  ///< the layer that ends
+
+  /// Layer on the other side, for any layer but the one that ends.
+  Index across(Index layer) const { return layer < depth ? layer : layer - 1; }
+};
+
+/// The stacks of panels and how they are connected.
+struct Stacks {
+  std::vector<Index> layers;          ///< per face: w
+  std::vector<GluingStep> steps;      ///< per arc
+  std::vector<Index> first_panel{0};  ///< per face, one more at the end; panel (f, i) is first_panel[f] + i
+  std::vector<Index> first_pair{0};   ///< the same for pairs of panels of a face
+  std::vector<Index> component;       ///< per panel, numbered by the first contour that bounds them
+
+  Index panel(Index face, Index layer) const { return first_panel[face] + layer; }
+  Index pair(Index face, Index above, Index below) const { return first_pair[face] + below * (below - 1) / 2 + above; }
+
+  /// Calls visit(above, below) for every two layers of a face.
+  template <typename Visit>
+  void pairs_of(Index face, Visit visit) const {
+    for (Index below = 1; below < layers[face]; ++below) {
+      for (Index above = 0; above < below; ++above) visit(above, below);
+    }
   }
+};
+
+Stacks stacks_of(const Faces& faces, const Labelling& labelling) {
+  Stacks stacks;
+  for (const std::vector<int>& winding : faces.winding) {
+    const std::vector<int>& side = labelling.side;
+    const auto layers = static_cast<Index>(std::inner_product(winding.begin(), winding.end(), side.begin(), 0));
+    stacks.layers.push_back(layers);
+    stacks.first_panel.push_back(stacks.first_panel.back() + layers);
+    stacks.first_pair.push_back(stacks.first_pair.back() + (layers == 0 ? 0 : layers * (layers - 1) / 2));
+  }
+  for (Index arc = 0; arc < labelling.depth.size(); ++arc) {
+    auto [more, fewer] = faces.beside_arc[arc];
+    if (stacks.layers[more] < stacks.layers[fewer]) std::swap(more, fewer);
+    stacks.steps.push_back({more, fewer, static_cast<Index>(labelling.depth[arc])});
+  }
+  return stacks;
+}
+
+/// Glues the panels. Returns the component of every contour; none when one would bound two of them.
+std::optional<std::vector<Index>> glue_panels(const Arrangement& arrangement, Stacks& stacks) {
+  DisjointSets sets(stacks.first_panel.back());
+  for (const GluingStep& step : stacks.steps) {
+    for (Index i = 0; i < stacks.layers[step.more]; ++i) {
+      if (i != step.depth) sets.unite(stacks.panel(step.more, i), stacks.panel(step.fewer, step.across(i)));
+    }
+  }
+  std::map<Index, Index> number;
+  std::vector<Index> of_contour(arrangement.contours.size(), no_index);
+  for (Index arc = 0; arc < stacks.steps.size(); ++arc) {
+    const Index root = sets.root(stacks.panel(stacks.steps[arc].more, stacks.steps[arc].depth));
+    const Index component = number.try_emplace(root, static_cast<Index>(number.size())).first->second;
+    Index& known = of_contour[arrangement.arcs[arc].contour];
+    if (known != no_index && known != component) return std::nullopt;
+    known = component;
+  }
+  for (Index p = 0; p < stacks.first_panel.back(); ++p) stacks.component.push_back(number.at(sets.root(p)));
+  return of_contour;
+}
+
+/// Of the two arcs of a strand at a crossing, the one inside the other one's surface.
+const GluingStep& covered_step(const Stacks& stacks, const ContourCrossing::Strand& strand) {
+  const GluingStep& before = stacks.steps[strand.before];
+  const GluingStep& after = stacks.steps[strand.after];
+  return stacks.layers[before.more] > stacks.layers[after.more] ? before : after;
+}
+
+/// One overlap of components for each connected region of pairs of panels, placed in the largest triangle it covers.
+std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const Faces& faces, const Stacks& stacks) {
+  DisjointSets sets(stacks.first_pair.back());
+  for (const GluingStep& step : stacks.steps) {
+    stacks.pairs_of(step.more, [&](Index above, Index below) {
+      if (above == step.depth || below == step.depth) return;
+      sets.unite(stacks.pair(step.more, above, below), stacks.pair(step.fewer, step.across(above), step.across(below)));
+    });
+  }
+  std::map<Index, std::pair<double, FigureOverlap>> regions;  // with the area of the triangle
+  for (Index t = 0; t < faces.of_triangle.size(); ++t) {
+    const Index f = faces.of_triangle[t];
+    const auto& [a, b, c] = faces.triangulation.triangles[t];
+    const Points& p = arrangement.points;
+    const double area = cross(p[b] - p[a], p[c] - p[a]);
+    stacks.pairs_of(f, [&](Index above, Index below) {
+      auto& [largest, overlap] = regions[sets.root(stacks.pair(f, above, below))];
+      if (area <= largest) return;
+      largest = area;
+      overlap.at = (p[a] + p[b] + p[c]) / 3;
+      overlap.upper = stacks.component[stacks.panel(f, above)];
+      overlap.lower = stacks.component[stacks.panel(f, below)];
+    });
+  }
+  // The sheets that end at a crossing lie above one another in one of the four faces around it: that pair of panels has
+  // a corner there.
+  for (Index k = 0; k < arrangement.crossings.size(); ++k) {
+    const GluingStep& a = covered_step(stacks, arrangement.crossings[k].strands[0]);
+    const GluingStep& b = covered_step(stacks, arrangement.crossings[k].strands[1]);
+    const auto [above, below] = std::minmax(a.depth, b.depth);
+    regions.at(sets.root(stacks.pair(a.more, above, below))).second.crossings.push_back(k);
+  }
+  std::vector<FigureOverlap> overlaps;
+  for (auto& [root, region] : regions) overlaps.push_back(std::move(region.second));
+  std::ranges::sort(overlaps, {}, [](const FigureOverlap& overlap) {
+    return std::tuple(overlap.upper, overlap.lower, overlap.at.x(), overlap.at.y());
+  });
+  return overlaps;
+}
+
+void add_labelled(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {
+  figure.contours = arrangement.contours;
+  for (Index c = 0; c < figure.contours.size(); ++c) figure.contours[c].side = labelling.side[c];
   figure.arcs = arrangement.arcs;
   for (Index e = 0; e < figure.arcs.size(); ++e) {
     FigureArc& arc = figure.arcs[e];
@@ -32,94 +142,95 @@ void add_contours(const ClosedContours& closed, const Arrangement& arrangement, 
     std::vector<std::uint8_t>& drawn = figure.contours[arc.contour].drawn;
     for (Index k = 0; k < arc.count; ++k) drawn[(arc.begin + k) % drawn.size()] = 0;
   }
-}
-
-void add_crossings(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {
   for (Index k = 0; k < arrangement.crossings.size(); ++k) {
-    const ContourCrossing& crossing = arrangement.crossings[k];
-    FigureCrossing made{crossing.vertex, crossing.contour_a, crossing.position_a, crossing.contour_b,
-                        crossing.position_b};
-    if (!labelling.a_is_over[k]) {
-      std::swap(made.over_contour, made.under_contour);
-      std::swap(made.over_position, made.under_position);
-    }
-    figure.crossings.push_back(made);
+    const auto& strands = arrangement.crossings[k].strands;
+    const ContourCrossing::Strand& over = strands[labelling.is_swapped[k]];
+    const ContourCrossing::Strand& under = strands[1 - labelling.is_swapped[k]];
+    figure.crossings.push_back({k, over.contour, over.position, under.contour, under.position});
   }
 }
 
-/// Components that a group of strokes was forced into are one object; the others are an object each.
-std::vector<Index> object_of_component(const Drawing& drawing, const std::vector<std::vector<Index>>& strokes,
-                                       std::vector<std::string>& names) {
+/// Adds an object for every component, by their first strokes; those that a group of strokes was forced into are one.
+/// @param strokes per component, ascending
+/// @return the object of each
+std::vector<Index> name_objects(const Drawing& drawing, const std::vector<std::vector<Index>>& strokes,
+                                std::vector<FigureObject>& objects) {
   std::vector<Index> by_first_stroke(strokes.size());
   std::iota(by_first_stroke.begin(), by_first_stroke.end(), Index{0});
-  std::sort(by_first_stroke.begin(), by_first_stroke.end(),
-            [&](Index a, Index b) { return strokes[a].front() < strokes[b].front(); });
-  std::vector<Index> object(strokes.size(), 0);
+  std::ranges::sort(by_first_stroke, {}, [&](Index component) { return strokes[component].front(); });
+  std::vector<Index> object(strokes.size());
   std::map<std::string, Index> of_group;
   for (const Index component : by_first_stroke) {
-    std::string group;
-    for (const Index stroke : strokes[component]) {
-      if (group.empty()) group = drawing.strokes[stroke].object;
-    }
-    const auto next = static_cast<Index>(names.size());
+    const std::string group = told_object(drawing, strokes[component]);
+    const auto next = static_cast<Index>(objects.size());
     object[component] = group.empty() ? next : of_group.try_emplace(group, next).first->second;
-    if (object[component] == next)
-      names.push_back(group.empty() ? drawing.strokes[strokes[component].front()].id : group);
+    if (object[component] != next) continue;
+    objects.emplace_back().name = group.empty() ? drawing.strokes[strokes[component].front()].id : group;
   }
   return object;
 }
 
-void add_objects(const Drawing& drawing, const ClosedContours& closed, const Paneling& paneling,
+/// @param component per contour
+void add_objects(const Drawing& drawing, const ClosedContours& closed, const std::vector<Index>& component,
                  LabelledFigure& figure) {
-  std::vector<std::vector<Index>> strokes(paneling.component_count);
+  std::vector<std::vector<Index>> strokes(*std::ranges::max_element(component) + 1);
   for (Index c = 0; c < figure.contours.size(); ++c) {
-    std::vector<Index>& list = strokes[paneling.component_of_contour[c]];
-    list.insert(list.end(), figure.contours[c].strokes.begin(), figure.contours[c].strokes.end());
+    std::vector<Index>& own = strokes[component[c]];
+    own.insert(own.end(), figure.contours[c].strokes.begin(), figure.contours[c].strokes.end());
   }
-  for (std::vector<Index>& list : strokes) std::sort(list.begin(), list.end());
-  std::vector<std::string> names;
-  const std::vector<Index> object = object_of_component(drawing, strokes, names);
-  figure.objects.resize(names.size());
-  for (Index i = 0; i < names.size(); ++i) figure.objects[i].name = names[i];
+  for (std::vector<Index>& own : strokes) std::ranges::sort(own);
+  const std::vector<Index> object = name_objects(drawing, strokes, figure.objects);
+  for (Index k = 0; k < object.size(); ++k) {
+    std::vector<Index>& own = figure.objects[object[k]].strokes;
+    own.insert(own.end(), strokes[k].begin(), strokes[k].end());
+  }
   for (Index c = 0; c < figure.contours.size(); ++c) {
     FigureContour& contour = figure.contours[c];
-    contour.object = object[paneling.component_of_contour[c]];
-    FigureObject& owner = figure.objects[contour.object];
-    owner.contours.push_back(c);
-    owner.strokes.insert(owner.strokes.end(), contour.strokes.begin(), contour.strokes.end());
-    owner.euler_region += contour.side * turning_number(closed.paths[c].points);
+    contour.object = object[component[c]];
+    figure.objects[contour.object].contours.push_back(c);
+    figure.objects[contour.object].euler_region += contour.side * turning_number(closed.paths[c].points);
   }
-  for (FigureObject& owner : figure.objects) std::sort(owner.strokes.begin(), owner.strokes.end());
-  for (const PanelOverlap& overlap : paneling.overlaps) {
-    figure.overlaps.push_back(
-        {overlap.at, object[overlap.upper_component], object[overlap.lower_component], overlap.crossings});
+  for (FigureObject& owner : figure.objects) std::ranges::sort(owner.strokes);
+  for (FigureOverlap& overlap : figure.overlaps) {
+    overlap.upper = object[overlap.upper];
+    overlap.lower = object[overlap.lower];
   }
 }
 
 }  // namespace
 
-std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& contours,
+std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& closed,
                                            const Arrangement& arrangement, Faces faces, const Labelling& labelling) {
+  Stacks stacks = stacks_of(faces, labelling);
+  const std::optional<std::vector<Index>> component = glue_panels(arrangement, stacks);
+  if (!component) return std::nullopt;
   LabelledFigure figure;
   figure.unit = context.scale.unit;
   figure.step = context.scale.step;
   figure.points = arrangement.points;
   figure.segments = arrangement.segments;
   figure.segment_arc = arrangement.segment_arc;
-  figure.completions = contours.completions;
-  figure.raw_contours = contours.raw;
-  add_contours(contours, arrangement, labelling, figure);
-  add_crossings(arrangement, labelling, figure);
-
-  const std::vector<int> layers = face_layers(faces, labelling.side);
-  figure.panels = std::accumulate(layers.begin(), layers.end(), 0);
-  const Paneling paneling = glue_panels(arrangement, faces, layers, labelling.depth);
-  if (!paneling.sound) return std::nullopt;
-  add_objects(context.drawing, contours, paneling, figure);
-  for (const Index face : faces.of_triangle) figure.layers.push_back(layers[face]);
+  figure.completions = closed.completions;
+  for (const ContourPath& path : closed.paths) figure.raw_contours.push_back(path.raw);
+  add_labelled(arrangement, labelling, figure);
+  figure.panels = static_cast<int>(stacks.first_panel.back());
+  figure.overlaps = find_overlaps(arrangement, faces, stacks);
+  add_objects(context.drawing, closed, *component, figure);
+  for (const Index face : faces.of_triangle) figure.layers.push_back(static_cast<int>(stacks.layers[face]));
   figure.faces = std::move(faces.of_triangle);
   figure.triangulation = std::move(faces.triangulation);
   return figure;
+}
+
+int turning_number(const Points& points) {
+  const std::size_t count = points.size();
+  double turned = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 before = points[(i + 1) % count] - points[i];
+    const Vec2 after = points[(i + 2) % count] - points[(i + 1) % count];
+    turned += std::atan2(cross(before, after), before.dot(after));
+  }
+  return static_cast<int>(std::lround(turned / (2 * std::numbers::pi)));
 }
 
 }  // namespace croquis::silhouette

@@ -2,9 +2,10 @@
 #include "algorithms/silhouette/figure/labelling.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
+
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -17,205 +18,163 @@ constexpr double rule_cost = 2500;
 // Area decides only between labellings of equal depth.
 constexpr double area_cost = 0.01;
 // Drawings need a handful of nodes; this bounds the rest.
-constexpr int maximum_nodes = 5000;
+constexpr int labelling_nodes = 5000;
 // Any rule that can be broken explains something.
-constexpr int maximum_blaming_nodes = 40;
+constexpr int blaming_nodes = 40;
+constexpr double unbounded = IntegerProgram::unbounded;
 
-using Term = IntegerProgram::Term;
+using Terms = std::vector<IntegerProgram::Term>;
 
-class Program {
- public:
-  Program(const Arrangement& arrangement, const std::vector<int>& sides, const Faces& faces, LabellingRules rules)
-      : arrangement_(arrangement), faces_(faces), rules_(rules), ends_(arc_ends(arrangement)) {
-    add_arcs();
-    add_contours(sides);
-    for (const ContourCrossing& crossing : arrangement_.crossings) add_crossing(crossing);
-    if (rules_ != LabellingRules::Local) add_layer_rules();
+/// Variables that are above 0 where a rule is broken, and what of.
+using Slacks = std::vector<std::pair<Index, Index>>;
+
+/// The integer program and what its variables stand for.
+struct LabellingProgram {
+  const Arrangement& arrangement;
+  const Faces& faces;
+  LabellingRules rules;
+  IntegerProgram program;
+  std::vector<Index> depth;  ///< per arc
+  std::vector<Index> side;   ///< per contour: o
+  std::vector<Index> over;   ///< per crossing: 1 where the first strand is in front
+  Slacks arc_slacks, crossing_slacks, face_slacks;
+
+  /// A variable by which a rule may be broken.
+  Index add_slack(double most, double cost, Index what, Slacks& slacks) {
+    slacks.emplace_back(program.add_variable(0, most, cost), what);
+    return slacks.back().first;
   }
-
-  Labelling solve() const {
-    const IntegerProgram::Solution solution =
-        program_.solve(rules_ == LabellingRules::Blame ? maximum_blaming_nodes : maximum_nodes);
-    Labelling result;
-    result.status = solution.status;
-    if (solution.values.empty()) return result;
-    for (const Index n : depth_) result.depth.push_back(solution.values[n]);
-    for (const Index o : orientation_) result.side.push_back(2 * solution.values[o] - 1);
-    for (const Index x : over_) result.a_is_over.push_back(solution.values[x] != 0 ? 1 : 0);
-    for (Index arc = 0; arc < slack_.size(); ++arc) {
-      if (slack_[arc] != no_index && solution.values[slack_[arc]] > 0) result.wrong_arcs.push_back(arc);
-    }
-    for (const auto& [slack, crossing] : crossing_slack_) {
-      if (solution.values[slack] > 0) result.wrong_crossings.push_back(crossing);
-    }
-    for (Index face = 0; face < face_slack_.size(); ++face) {
-      if (solution.values[face_slack_[face]] > 0) result.wrong_faces.push_back(face);
-    }
-    return result;
-  }
-
- private:
-  /// (f) for arcs.
-  void add_arcs() {
-    for (Index e = 0; e < arrangement_.arcs.size(); ++e) {
-      const FigureArc& arc = arrangement_.arcs[e];
-      const bool is_known = arrangement_.may_be_covered[e] == 0;
-      const bool strict = is_known && rules_ != LabellingRules::Slack && rules_ != LabellingRules::Blame;
-      const double least = strict && !arc.visible ? 1 : 0;
-      const double most = strict && arc.visible ? 0 : deepest;
-      const Index n = program_.add_variable(least, most, 1);
-      depth_.push_back(n);
-      slack_.push_back(no_index);
-      if (strict || !is_known) continue;
-      const Index slack = program_.add_variable(0, arc.visible ? deepest : 1, slack_cost);
-      slack_.back() = slack;
-      if (arc.visible) {
-        program_.add_row({{n, 1}, {slack, -1}}, -IntegerProgram::unbounded, 0);
-      } else {
-        program_.add_row({{n, 1}, {slack, 1}}, 1, IntegerProgram::unbounded);
-      }
-    }
-  }
-
-  void add_contours(const std::vector<int>& sides) {
-    const double whole = std::max(std::accumulate(faces_.area.begin(), faces_.area.end(), 0.0), 1e-300);
-    for (Index c = 0; c < arrangement_.contours.size(); ++c) {
-      double covered = 0;
-      for (std::size_t f = 0; f < faces_.area.size(); ++f) covered += faces_.area[f] * faces_.winding[f][c] / whole;
-      orientation_.push_back(
-          program_.add_variable(sides[c] > 0 ? 1 : 0, sides[c] < 0 ? 0 : 1, 2 * area_cost * covered));
-    }
-  }
-
-  void add_crossing(const ContourCrossing& k) {
-    const Around a{depth_[ends_.before(k.contour_a, k.position_a)], depth_[ends_.after(k.contour_a, k.position_a)]};
-    const Around b{depth_[ends_.before(k.contour_b, k.position_b)], depth_[ends_.after(k.contour_b, k.position_b)]};
-    const bool a_over = k.over == ContourCrossing::Over::A;
-    const bool b_over = k.over == ContourCrossing::Over::B;
-    const Index x = program_.add_variable(a_over ? 1 : 0, b_over ? 0 : 1, 0);
-    over_.push_back(x);
-    const double s = k.sign;
-    if (a_over || b_over) {
-      const Around& upper = a_over ? a : b;
-      const Around& lower = a_over ? b : a;
-      const Index o = orientation_[a_over ? k.contour_a : k.contour_b];
-      const double turn = a_over ? s : -s;
-      add_step({{lower.after, 1}, {lower.before, -1}, {o, -2 * turn}}, -turn);
-      add_step({{upper.after, 1}, {upper.before, -1}}, 0);
-      add_order(upper, lower, x, a_over ? Known::XIsOne : Known::XIsZero);
-      return;
-    }
-    add_free_crossing(a, b, x, s, orientation_[k.contour_a], orientation_[k.contour_b]);
-  }
-
-  /// How a depth changes at the latest crossing.
-  void add_step(std::vector<Term> terms, double change) {
-    for (int sign = 1; rules_ == LabellingRules::Blame && sign >= -1; sign -= 2) {
-      const Index slack = program_.add_variable(0, deepest, rule_cost);
-      terms.push_back({slack, static_cast<double>(sign)});
-      crossing_slack_.emplace_back(slack, static_cast<Index>(over_.size()) - 1);
-    }
-    program_.add_row(std::move(terms), change, change);
-  }
-
-  struct Around {
-    Index before;
-    Index after;
-  };
-
-  enum class Known { No, XIsOne, XIsZero };
-
-  /// (c) and (d) with y = x o_A and v = (1 - x) o_B.
-  void add_free_crossing(const Around& a, const Around& b, Index x, double s, Index o_a, Index o_b) {
-    constexpr double any = IntegerProgram::unbounded;
-    const Index y = program_.add_variable(0, 1, 0);
-    const Index v = program_.add_variable(0, 1, 0);
-    program_.add_row({{y, 1}, {x, -1}}, -any, 0);
-    program_.add_row({{y, 1}, {o_a, -1}}, -any, 0);
-    program_.add_row({{y, 1}, {x, -1}, {o_a, -1}}, -1, any);
-    program_.add_row({{v, 1}, {x, 1}}, -any, 1);
-    program_.add_row({{v, 1}, {o_b, -1}}, -any, 0);
-    program_.add_row({{v, 1}, {x, 1}, {o_b, -1}}, 0, any);
-    add_step({{b.after, 1}, {b.before, -1}, {y, -2 * s}, {x, s}}, 0);
-    add_step({{a.after, 1}, {a.before, -1}, {v, 2 * s}, {x, s}}, s);
-    add_order(a, b, x, Known::No);
-    add_order(b, a, x, Known::No, true);
-  }
-
-  /// The upper contour's arcs lie no deeper than the lower one's; where that is not known, only for one value of x.
-  void add_order(const Around& upper, const Around& lower, Index x, Known known, bool when_zero = false) {
-    for (const Index n : {upper.before, upper.after}) {
-      for (const Index m : {lower.before, lower.after}) {
-        if (n == m) continue;
-        if (known != Known::No) {
-          program_.add_row({{n, 1}, {m, -1}}, -IntegerProgram::unbounded, 0);
-        } else {
-          program_.add_row({{n, 1}, {m, -1}, {x, when_zero ? -deepest : deepest}}, -IntegerProgram::unbounded,
-                           when_zero ? 0 : deepest);
-        }
-      }
-    }
-  }
-
-  /// (a) and (b).
-  void add_layer_rules() {
-    constexpr double any = IntegerProgram::unbounded;
-    const auto add_layers = [&](Index face, double factor, std::vector<Term>& terms) {
-      if (rules_ == LabellingRules::Blame) terms.push_back({face_slack_[face], factor / 2});
-      return add_windings(faces_.winding[face], factor, terms);
-    };
-    for (Index f = 0; f < faces_.winding.size(); ++f) {
-      if (rules_ == LabellingRules::Blame) face_slack_.push_back(program_.add_variable(0, deepest, rule_cost));
-      std::vector<Term> terms;
-      const double turns = add_layers(f, 2, terms);
-      if (!terms.empty()) program_.add_row(std::move(terms), turns, any);
-    }
-    for (Index arc = 0; arc < arrangement_.arcs.size(); ++arc) {
-      std::vector<Term> terms{{depth_[arc], 2}};
-      const double turns = add_layers(faces_.left[arc], -2, terms) + add_layers(faces_.right[arc], -2, terms);
-      program_.add_row(std::move(terms), -any, -turns - 1);
-    }
-  }
-
-  /// Adds factor Σ winding_c o_c to a row; returns Σ winding_c.
-  double add_windings(const std::vector<int>& winding, double factor, std::vector<Term>& terms) const {
-    double sum = 0;
-    for (Index c = 0; c < winding.size(); ++c) {
-      if (winding[c] == 0) continue;
-      terms.push_back({orientation_[c], factor * winding[c]});
-      sum += winding[c];
-    }
-    return sum;
-  }
-
-  const Arrangement& arrangement_;
-  const Faces& faces_;
-  LabellingRules rules_;
-  ArcEnds ends_;
-  IntegerProgram program_;
-  std::vector<Index> depth_;                             ///< variables, per arc
-  std::vector<Index> orientation_;                       ///< per contour
-  std::vector<Index> over_;                              ///< per crossing
-  std::vector<Index> slack_;                             ///< per arc, no_index where it can't break a rule
-  std::vector<Index> face_slack_;                        ///< per face, with slack
-  std::vector<std::pair<Index, Index>> crossing_slack_;  ///< variables and their crossings
 };
+
+/// (f) for arcs.
+void add_depths(LabellingProgram& labels) {
+  for (Index e = 0; e < labels.arrangement.arcs.size(); ++e) {
+    const bool visible = labels.arrangement.arcs[e].visible;
+    const bool is_known = labels.arrangement.may_be_covered[e] == 0;
+    const bool strict = is_known && labels.rules == LabellingRules::Full;
+    const Index n = labels.program.add_variable(strict && !visible ? 1 : 0, strict && visible ? 0 : deepest, 1);
+    labels.depth.push_back(n);
+    if (strict || !is_known) continue;
+    const Index slack = labels.add_slack(visible ? deepest : 1, slack_cost, e, labels.arc_slacks);
+    labels.program.add_row({{n, 1}, {slack, visible ? -1.0 : 1.0}}, visible ? -unbounded : 1, visible ? 0 : unbounded);
+  }
+}
+
+void add_sides(LabellingProgram& labels) {
+  const Faces& faces = labels.faces;
+  const double whole = std::max(std::accumulate(faces.area.begin(), faces.area.end(), 0.0), 1e-300);
+  for (Index c = 0; c < labels.arrangement.contours.size(); ++c) {
+    const int side = labels.arrangement.contours[c].side;
+    double covered = 0;
+    for (std::size_t f = 0; f < faces.area.size(); ++f) covered += faces.area[f] * faces.winding[f][c] / whole;
+    labels.side.push_back(labels.program.add_variable(side > 0 ? 1 : 0, side < 0 ? 0 : 1, 2 * area_cost * covered));
+  }
+}
+
+/// How the depth of a strand changes at a crossing.
+/// @param terms that the depth after it has more than the one before
+void add_step(const ContourCrossing::Strand& strand, Index crossing, Terms terms, double change,
+              LabellingProgram& labels) {
+  terms.push_back({labels.depth[strand.after], 1});
+  terms.push_back({labels.depth[strand.before], -1});
+  for (int sign = 1; labels.rules == LabellingRules::Blame && sign >= -1; sign -= 2) {
+    const Index slack = labels.add_slack(deepest, rule_cost, crossing, labels.crossing_slacks);
+    terms.push_back({slack, static_cast<double>(sign)});
+  }
+  labels.program.add_row(std::move(terms), change, change);
+}
+
+/// (c) and (d), for each strand as the upper one: it is that where base + slope x = 1, and y is the product of this and
+/// its o.
+void add_crossing_rules(Index k, LabellingProgram& labels) {
+  const ContourCrossing& crossing = labels.arrangement.crossings[k];
+  IntegerProgram& program = labels.program;
+  const Index x = program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0);
+  labels.over.push_back(x);
+  for (Index s = 0; s < 2; ++s) {
+    const ContourCrossing::Strand& upper = crossing.strands[s];
+    const ContourCrossing::Strand& lower = crossing.strands[1 - s];
+    const double base = s == 0 ? 0 : 1;
+    const double slope = s == 0 ? 1 : -1;
+    const double turn = slope * crossing.sign;
+    const Index o = labels.side[upper.contour];
+    if (crossing.over == 1 - s) {  // it is the lower one, which the other doesn't notice
+      add_step(lower, k, {}, 0, labels);
+      continue;
+    }
+    Index y = o;
+    if (crossing.over == no_index) {
+      y = program.add_variable(0, 1, 0);
+      program.add_row({{y, 1}, {x, -slope}}, -unbounded, base);
+      program.add_row({{y, 1}, {o, -1}}, -unbounded, 0);
+      program.add_row({{y, 1}, {x, -slope}, {o, -1}}, base - 1, unbounded);
+    }
+    add_step(lower, k, {{y, -2 * turn}, {x, turn * slope}}, -turn * base, labels);
+    for (const Index above : {upper.before, upper.after}) {
+      for (const Index below : {lower.before, lower.after}) {
+        if (above == below) continue;
+        program.add_row({{labels.depth[above], 1}, {labels.depth[below], -1}, {x, deepest * slope}}, -unbounded,
+                        deepest * (1 - base));
+      }
+    }
+  }
+}
+
+/// Adds factor * w of a face to a row's terms.
+/// @return the constant that is missing there
+double add_layers(const LabellingProgram& labels, Index face, double factor, Terms& terms) {
+  if (labels.rules == LabellingRules::Blame) terms.push_back({labels.face_slacks[face].first, factor});
+  double turns = 0;
+  for (Index c = 0; c < labels.side.size(); ++c) {
+    const int winding = labels.faces.winding[face][c];
+    if (winding != 0) terms.push_back({labels.side[c], 2 * factor * winding});
+    turns += winding;
+  }
+  return factor * turns;
+}
+
+/// (a) and (b).
+void add_layer_rules(LabellingProgram& labels) {
+  for (Index f = 0; f < labels.faces.winding.size(); ++f) {
+    if (labels.rules == LabellingRules::Blame) labels.add_slack(deepest, rule_cost, f, labels.face_slacks);
+    Terms terms;
+    const double turns = add_layers(labels, f, 1, terms);
+    if (!terms.empty()) labels.program.add_row(std::move(terms), turns, unbounded);
+  }
+  for (Index arc = 0; arc < labels.arrangement.arcs.size(); ++arc) {
+    Terms terms{{labels.depth[arc], 2}};
+    double turns = 0;
+    for (const Index face : labels.faces.beside_arc[arc]) turns += add_layers(labels, face, -1, terms);
+    labels.program.add_row(std::move(terms), -unbounded, turns - 1);
+  }
+}
 
 }  // namespace
 
-Labelling label_arrangement(const Arrangement& arrangement, const std::vector<int>& sides, const Faces& faces,
-                            LabellingRules rules) {
-  return Program(arrangement, sides, faces, rules).solve();
-}
-
-std::vector<int> face_layers(const Faces& faces, const std::vector<int>& side) {
-  std::vector<int> layers;
-  for (const std::vector<int>& winding : faces.winding) {
-    int sum = 0;
-    for (std::size_t c = 0; c < winding.size(); ++c) sum += side[c] * winding[c];
-    layers.push_back(sum);
-  }
-  return layers;
+Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules) {
+  LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}, {}};
+  add_depths(labels);
+  add_sides(labels);
+  for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing_rules(k, labels);
+  if (!faces.winding.empty()) add_layer_rules(labels);
+  const std::vector<int> values =
+      labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes).values;
+  Labelling result;
+  if (values.empty()) return result;
+  const auto broken = [&](const Slacks& slacks) {
+    std::vector<Index> what;
+    for (const auto& [slack, of] : slacks) {
+      if (values[slack] > 0) what.push_back(of);
+    }
+    return what;
+  };
+  for (const Index n : labels.depth) result.depth.push_back(values[n]);
+  for (const Index o : labels.side) result.side.push_back(2 * values[o] - 1);
+  for (const Index x : labels.over) result.is_swapped.push_back(values[x] == 0 ? 1 : 0);
+  result.wrong_arcs = broken(labels.arc_slacks);
+  result.wrong_crossings = broken(labels.crossing_slacks);
+  result.wrong_faces = broken(labels.face_slacks);
+  return result;
 }
 
 }  // namespace croquis::silhouette

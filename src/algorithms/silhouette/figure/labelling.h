@@ -4,17 +4,14 @@
 #include <vector>
 
 #include "algorithms/silhouette/figure/arrangement.h"
-#include "algorithms/silhouette/figure/arrangement_faces.h"
-#include "algorithms/silhouette/figure/integer_program.h"
 
 namespace croquis::silhouette {
 
-/// The labelled figure's numbers.
+/// The labelled figure's numbers; none where no labelling was found.
 struct Labelling {
-  IntegerProgram::Status status = IntegerProgram::Status::Infeasible;
-  std::vector<int> depth;               ///< per arc: n, surfaces in front of it
-  std::vector<int> side;                ///< per contour: surface on its left (+1) or right (-1)
-  std::vector<std::uint8_t> a_is_over;  ///< per crossing
+  std::vector<int> depth;                ///< per arc: n, surfaces in front of it
+  std::vector<int> side;                 ///< per contour: surface on its left (+1) or right (-1)
+  std::vector<std::uint8_t> is_swapped;  ///< per crossing: the second strand is in front
   // With slack and blame:
   std::vector<Index> wrong_arcs;       ///< would have to be hidden in the open, or visible though covered
   std::vector<Index> wrong_crossings;  ///< depths don't change as they must
@@ -23,9 +20,8 @@ struct Labelling {
 
 /// How strictly to label.
 enum class LabellingRules {
-  Local,  ///< the rules at crossings alone: needs no faces and refuses most wrong matchings at once
-  Full,   ///< the number of layers in every face too
-  Slack,  ///< all, but arcs may break the rule of what is seen, at a price
+  Full,   ///< all rules
+  Slack,  ///< arcs may break the rule of what is seen, at a price
   Blame   ///< as above, and every other rule may be broken at a higher price: there is always a solution
 };
 
@@ -38,11 +34,8 @@ enum class LabellingRules {
 ///   (f) visible arcs n = 0, hidden arcs n >= 1, unless what is drawn may be covered; sigma and the upper contour where
 ///   T-junctions give them
 /// minimising Σ n plus a little of the covered area, so that of two readings the one with a hole wins.
-/// @param faces unused for LabellingRules::Local
-Labelling label_arrangement(const Arrangement& arrangement, const std::vector<int>& sides, const Faces& faces,
-                            LabellingRules rules);
-
-/// w: the number of surfaces in each face.
-std::vector<int> face_layers(const Faces& faces, const std::vector<int>& side);
+/// @param arrangement its contours' sides are kept where they are known
+/// @param faces       where there are none, the rules of faces are left out
+Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules);
 
 }  // namespace croquis::silhouette

@@ -11,7 +11,7 @@ MatchingSearch::MatchingSearch(Index nodes, const std::vector<MatchingEdge>& edg
   for (const MatchingEdge& edge : edges) {
     const Index taken = program_.add_variable(0, 1, edge.cost);
     one[edge.a].push_back({taken, 1});
-    one[edge.b].push_back({taken, 1});
+    if (edge.b != edge.a) one[edge.b].push_back({taken, 1});
   }
   for (std::vector<IntegerProgram::Term>& row : one) program_.add_row(std::move(row), 1, 1);
 }

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/figure/integer_program.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 
-/// A pair that may be matched, at a price.
+/// A pair that may be matched, at a price; a node with itself: it may be left out.
 struct MatchingEdge {
   Index a = 0;
   Index b = 0;

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <optional>
-#include <set>
-#include <span>
+#include <tuple>
 #include <utility>
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
-#include "algorithms/silhouette/strokes/cubic_join.h"
 #include "algorithms/silhouette/strokes/doubled_strokes.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 
@@ -45,29 +43,149 @@ constexpr double plain_margin = 0.6;
 // Hidden pieces are candidates up to this length, in typical distances of ends, and so many of them for an end.
 constexpr double longest_hidden = 40;
 constexpr double shortest_hidden = 0.1;  // u
-constexpr std::size_t most_hidden = 7;
+constexpr std::ptrdiff_t most_hidden = 7;
+
+/// Where an open stroke begins or ends that wasn't drawn over another one.
+std::vector<LineEnd> ends_of(const std::vector<SampledStroke>& strokes, const std::vector<Index>& doubled,
+                             double unit) {
+  std::vector<LineEnd> ends;
+  for (Index s = 0; s < strokes.size(); ++s) {
+    const SampledStroke& stroke = strokes[s];
+    if (stroke.closed || doubled[s] != no_index) continue;
+    const double bend = std::min(bend_reach * unit, chord_share / 2 * stroke.length);
+    const double chord = std::min(chord_reach * unit, chord_share * stroke.length);
+    for (const bool at_start : {true, false}) {
+      ends.push_back({s,
+                      at_start,
+                      at_start ? stroke.points.front() : stroke.points.back(),
+                      {end_tangent(stroke.points, at_start, bend), end_chord(stroke.points, at_start, chord)}});
+    }
+  }
+  return ends;
+}
+
+/// Sum of 1 - cosine over the turns at a gap, for the better of both directions of the ends. Of ends that are near to
+/// each other the direction from one to the other says little.
+/// @param weight of that direction
+double turn_between(const LineEnd& a, const LineEnd& b, double weight) {
+  const Vec2 across = (b.place - a.place).normalized();
+  double least = infinity;
+  for (std::size_t reach = 0; reach < a.outward.size(); ++reach) {
+    const double straight = 1 + a.outward[reach].dot(b.outward[reach]);
+    const double from_a = across.dot(a.outward[reach]);
+    const double from_b = -across.dot(b.outward[reach]);
+    const double bridged = std::min(2 - from_a - from_b, 2 + from_a + from_b + costs::overshoot);
+    least = std::min(least, weight * bridged + (1 - weight) * straight);
+  }
+  return least;
+}
+
+/// An end that lies on a line does so by chance if it goes on as another one across a gap.
+void doubt_joins_at_lines(Connections& found) {
+  std::vector<double> least(found.ends.size(), infinity);
+  for (const EndMeeting& meeting : found.meetings) least[meeting.end] = std::min(least[meeting.end], meeting.cost);
+  for (EndJoin& join : found.joins) {
+    for (const Index end : {join.a, join.b}) {
+      join.cost += costs::line_at_gap * join.gap * std::max(0.0, 1 - least[end] / costs::chance_meeting);
+    }
+  }
+}
+
+/// Ends that plainly are one place of a line have no other meaning.
+void drop_beside_plain_joins(Connections& found) {
+  std::vector<std::vector<double>> of_end(found.ends.size());
+  for (const EndJoin& join : found.joins) {
+    for (const Index end : {join.a, join.b}) of_end[end].push_back(join.cost);
+  }
+  std::vector<Index> partner(found.ends.size(), no_index);  // of ends that plainly are one place
+  for (const EndJoin& join : found.joins) {
+    const auto is_only_one = [&](Index end) {
+      return std::ranges::count_if(of_end[end], [&](double cost) { return cost <= join.cost + plain_margin; }) == 1;
+    };
+    if (join.cost >= plain_cost || !is_only_one(join.a) || !is_only_one(join.b)) continue;
+    partner[join.a] = join.b;
+    partner[join.b] = join.a;
+  }
+  std::erase_if(found.joins, [&](const EndJoin& join) {
+    return (partner[join.a] != no_index || partner[join.b] != no_index) && partner[join.a] != join.b;
+  });
+  std::erase_if(found.meetings, [&](const EndMeeting& meeting) { return partner[meeting.end] != no_index; });
+}
+
+/// The median distance to the nearest other place, of those that likely are behind something.
+double typical_distance(const std::vector<const EndMeeting*>& likeliest, double unit) {
+  constexpr double usual = 100, least_reference = 4;  // u
+  std::vector<double> nearest;
+  for (const EndMeeting* from : likeliest) {
+    double least = infinity;
+    for (const EndMeeting* to : likeliest) {
+      if (to != from) least = std::min(least, (to->at - from->at).norm());
+    }
+    if (from->cost < 1 && least < infinity) nearest.push_back(least);
+  }
+  if (nearest.empty()) return usual * unit;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return std::max(*middle, least_reference * unit);
+}
+
+/// The pairs of ends that hidden pieces may join, the cheapest few of each end.
+std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
+  std::vector<const EndMeeting*> likeliest;  // of each end; meetings are sorted by end
+  for (const EndMeeting& meeting : found.meetings) {
+    if (likeliest.empty() || likeliest.back()->end != meeting.end) likeliest.push_back(&meeting);
+    if (meeting.cost < likeliest.back()->cost) likeliest.back() = &meeting;
+  }
+  const double reference = typical_distance(likeliest, unit);
+  std::vector<std::vector<HiddenPair>> of_end(found.ends.size());
+  for (const EndMeeting* from : likeliest) {
+    for (const EndMeeting* to : likeliest) {
+      const double distance = (to->at - from->at).norm();
+      if (to->end <= from->end || distance > longest_hidden * reference || distance < shortest_hidden * unit) continue;
+      const LineEnd& a = found.ends[from->end];
+      const LineEnd& b = found.ends[to->end];
+      double cost = completion_cost(completion_curve(from->at, a.outward[0], to->at, b.outward[0]), 0, reference, {});
+      if (a.stroke == b.stroke) cost = std::min(cost, costs::hidden_of_one_stroke);
+      const HiddenPair pair{from->end, to->end, costs::flattened(costs::hidden * cost)};
+      of_end[pair.a].push_back(pair);
+      of_end[pair.b].push_back(pair);
+    }
+  }
+  std::vector<HiddenPair> kept;
+  for (std::vector<HiddenPair>& pairs : of_end) {
+    std::ranges::sort(pairs, {}, [](const HiddenPair& pair) { return std::tuple(pair.cost, pair.a, pair.b); });
+    kept.insert(kept.end(), pairs.begin(), pairs.begin() + std::min(std::ssize(pairs), most_hidden));
+  }
+  const auto ends = [](const HiddenPair& pair) { return std::pair(pair.a, pair.b); };
+  std::ranges::sort(kept, {}, ends);
+  const auto repeated = std::ranges::unique(kept, {}, ends);
+  kept.erase(repeated.begin(), repeated.end());
+  return kept;
+}
 
 class ConnectionSearch {
  public:
   ConnectionSearch(const std::vector<SampledStroke>& strokes, const DrawingScale& scale)
       : strokes_(strokes),
         scale_(scale),
-        spacing_(scale.step / 2),
         doubled_(doubled_strokes(strokes, scale)),
-        grid_(segments(strokes, doubled_), 2 * spacing_),
-        largest_(largest_size(strokes)) {}
+        grid_(segments(strokes, doubled_), scale.step) {
+    for (const SampledStroke& stroke : strokes) largest_ = std::max(largest_, stroke.size);
+  }
 
   Connections run(const Progress& progress) {
-    find_ends();
+    found_.ends = ends_of(strokes_, doubled_, scale_.unit);
     find_crossings();
     progress.check();
-    find_joins();
+    for (Index a = 0; a < found_.ends.size(); ++a) {
+      for (Index b = a + 1; b < found_.ends.size(); ++b) find_join(a, b);
+    }
     progress.check();
     for (Index end = 0; end < found_.ends.size(); ++end) find_meetings(end);
-    doubt_joins_at_lines();
-    drop_beside_plain_joins();
+    doubt_joins_at_lines(found_);
+    drop_beside_plain_joins(found_);
     progress.check();
-    find_hidden();
+    found_.hidden = hidden_pairs(found_, scale_.unit);
     found_.doubled = std::move(doubled_);
     return std::move(found_);
   }
@@ -81,94 +199,32 @@ class ConnectionSearch {
     return all;
   }
 
-  static double largest_size(const std::vector<SampledStroke>& strokes) {
-    double largest = 0;
-    for (const SampledStroke& stroke : strokes) largest = std::max(largest, stroke.size);
-    return largest;
-  }
-
-  void find_ends() {
-    for (Index s = 0; s < strokes_.size(); ++s) {
-      const SampledStroke& stroke = strokes_[s];
-      if (stroke.closed || doubled_[s] != no_index) continue;
-      const double bend = std::min(bend_reach * scale_.unit, chord_share / 2 * stroke.length);
-      const double chord = std::min(chord_reach * scale_.unit, chord_share * stroke.length);
-      for (const bool at_start : {true, false}) {
-        found_.ends.push_back(
-            {s,
-             at_start,
-             at_start ? stroke.points.front() : stroke.points.back(),
-             {end_tangent(stroke.points, at_start, bend), end_chord(stroke.points, at_start, chord)}});
-      }
-    }
-  }
-
   void find_crossings() {
     std::map<std::pair<Index, Index>, int> counts;
-    grid_.pairs([&](Index i, Index j) {
-      const GridSegment& a = grid_.segments()[i];
-      const GridSegment& b = grid_.segments()[j];
-      if (cross_properly(a.a, a.b, b.a, b.b)) ++counts[std::minmax(a.line, b.line)];
-    });
+    for (const SegmentContact& contact : find_contacts(grid_)) ++counts[{contact.a.line, contact.b.line}];
     for (const auto& [pair, count] : counts) found_.crossings.push_back({pair.first, pair.second, count});
   }
 
-  // Ends that meet.
-
-  void find_joins() {
-    for (Index a = 0; a < found_.ends.size(); ++a) {
-      for (Index b = a + 1; b < found_.ends.size(); ++b) {
-        if (std::optional<EndJoin> join = join_between(found_.ends[a], found_.ends[b])) {
-          join->a = a;
-          join->b = b;
-          found_.joins.push_back(*join);
-        }
-      }
-    }
-  }
-
-  bool same_object(Index a, Index b) const {
-    const std::string& first = strokes_[a].object;
-    const std::string& second = strokes_[b].object;
-    return first.empty() || second.empty() || first == second;
-  }
-
-  std::optional<EndJoin> join_between(const LineEnd& a, const LineEnd& b) const {
-    const double distance = (b.place - a.place).norm();
-    const bool closing = a.stroke == b.stroke;
+  void find_join(Index index_a, Index index_b) {
+    const LineEnd& a = found_.ends[index_a];
+    const LineEnd& b = found_.ends[index_b];
     const SampledStroke& first = strokes_[a.stroke];
     const SampledStroke& second = strokes_[b.stroke];
+    if (!first.object.empty() && !second.object.empty() && first.object != second.object) return;
+    const double distance = (b.place - a.place).norm();
+    const bool closing = a.stroke == b.stroke;
     const double usual = closing ? std::max(scale_.gap, scale_.close_share * first.length)
                                  : std::max(scale_.gap, scale_.reach_share * (first.size + second.size) / 2);
     const double widest = closing ? std::max(scale_.close, farthest_closing * first.length)
                                   : std::max({farthest_gap * usual, least_farthest_gap * scale_.unit,
                                               farthest_opening * std::min(first.length, second.length)});
-    if (distance > widest || !same_object(a.stroke, b.stroke)) return std::nullopt;
+    if (distance > widest) return;
     const double share = distance / usual;
+    const double weight = distance > negligible_gap * scale_.unit ? std::min(1.0, share) : 0;
     double cost = costs::gap * (closing || share > farthest_gap ? costs::opening(share) : costs::miss(share));
-    cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, distance, share);
+    cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, weight);
     if (is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
-    return EndJoin{0, 0, std::min(1.0, share), cost};
-  }
-
-  /// Sum of 1 - cosine over the turns at a gap, for the better of both directions of the ends. Of ends that are near to
-  /// each other the direction from one to the other says little.
-  double turn_between(const LineEnd& a, const LineEnd& b, double distance, double share) const {
-    double least = infinity;
-    for (std::size_t reach = 0; reach < a.outward.size(); ++reach) {
-      const double straight = 1 + a.outward[reach].dot(b.outward[reach]);
-      double turn = straight;
-      if (distance > negligible_gap * scale_.unit) {
-        const Vec2 across = (b.place - a.place) / distance;
-        const double from_a = across.dot(a.outward[reach]);
-        const double from_b = -across.dot(b.outward[reach]);
-        const double bridged = std::min(2 - from_a - from_b, 2 + from_a + from_b + costs::overshoot);
-        const double weight = std::min(1.0, share);
-        turn = weight * bridged + (1 - weight) * straight;
-      }
-      least = std::min(least, turn);
-    }
-    return least;
+    found_.joins.push_back({index_a, index_b, std::min(1.0, share), cost});
   }
 
   /// Whether a line of other strokes lies between two places.
@@ -182,99 +238,68 @@ class ConnectionSearch {
     return blocked;
   }
 
-  // Ends that pass behind something.
-
   double reach(Index one, Index other) const {
     return scale_.reach(std::max(strokes_[one].size, strokes_[other].size));
   }
 
-  /// The samples of a stroke within reach of its end, the end itself first.
-  Points last_bit(const LineEnd& end, double reach) const {
-    const Points& points = strokes_[end.stroke].points;
-    const std::size_t count = std::min(points.size(), static_cast<std::size_t>(reach / spacing_) + 2);
-    Points bit(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
-    if (!end.at_start) std::copy_n(points.rbegin(), count, bit.begin());
-    return bit;
-  }
-
+  /// What an end may pass behind: on each side of each line the cheapest place.
   void find_meetings(Index index) {
     const LineEnd& end = found_.ends[index];
-    const double farthest = farthest_miss * scale_.reach(std::max(strokes_[end.stroke].size, largest_));
-    const Points bit = last_bit(end, farthest);
+    const double farthest = farthest_miss * scale_.reach(largest_);
+    Points back = strokes_[end.stroke].points;
+    if (!end.at_start) std::ranges::reverse(back);
+    const double own_bit = 3 * reach(end.stroke, end.stroke);
+    std::map<Index, std::vector<EndMeeting>> of_bar;
     const Vec2 around = Vec2::Constant(farthest);
-    std::vector<EndMeeting> all;
-    std::set<Index> crossed;
     grid_.near_box(end.place - around, end.place + around, [&](Index i) {
       const GridSegment& segment = grid_.segments()[i];
-      if (!same_object_or_other(segment, end)) return;
-      for (const EndMeeting& meeting : meetings_with(end, bit, segment)) {
-        all.push_back(meeting);
-        if (meeting.along < 0) crossed.insert(meeting.bar);
-      }
+      // A line passes behind its own other parts, not behind its end.
+      const auto last = static_cast<Index>(back.size() - 2);
+      const Index from_end = end.at_start ? segment.position : last - segment.position;
+      if (segment.line != end.stroke || scale_.step / 2 * from_end > own_bit)
+        add_meetings(index, back, segment, of_bar[segment.line]);
     });
-    std::map<std::pair<Index, int>, EndMeeting> best;  // by bar and side
-    for (EndMeeting& meeting : all) {
-      meeting.end = index;
-      if (meeting.along > 0 && crossed.contains(meeting.bar)) meeting.cost += costs::bar_crossed;
-      EndMeeting& known = best.try_emplace({meeting.bar, meeting.side}, meeting).first->second;
-      if (meeting.cost < known.cost) known = meeting;
-    }
-    for (auto& [bar, meeting] : best) {
-      if (meeting.cost >= dearest_meeting) continue;
-      meeting.cost += place_cost(end, meeting);
-      found_.meetings.push_back(meeting);
+    for (auto& [bar, meetings] : of_bar) {
+      const bool crossed = std::ranges::any_of(meetings, [](const EndMeeting& meeting) { return meeting.along < 0; });
+      for (EndMeeting& meeting : meetings) {
+        if (crossed && meeting.along > 0) meeting.cost += costs::bar_crossed;
+      }
+      for (const int side : {-1, 1}) {
+        const auto cost_there = [side](const EndMeeting& meeting) {
+          return meeting.side == side ? meeting.cost : infinity;
+        };
+        const auto best = std::ranges::min_element(meetings, {}, cost_there);
+        if (best == meetings.end() || cost_there(*best) >= dearest_meeting) continue;
+        found_.meetings.push_back(*best);
+        found_.meetings.back().cost += place_cost(*best);
+      }
     }
   }
 
-  /// A line passes behind its own other parts, not behind its end.
-  bool same_object_or_other(const GridSegment& segment, const LineEnd& end) const {
-    if (segment.line != end.stroke) return true;
-    const auto last = static_cast<double>(strokes_[segment.line].points.size() - 2);
-    const double from_end = spacing_ * (end.at_start ? segment.position : last - segment.position);
-    return from_end > 3 * reach(segment.line, segment.line);
-  }
-
-  /// The ways in which an end may meet a segment: what its last bit crosses, what lies ahead, what lies beside it.
-  std::vector<EndMeeting> meetings_with(const LineEnd& end, const Points& bit, const GridSegment& segment) const {
-    std::vector<EndMeeting> meetings;
+  /// The ways in which an end may meet a segment, behind either of its sides.
+  /// @param back the end's stroke, the end first
+  void add_meetings(Index index, const Points& back, const GridSegment& segment,
+                    std::vector<EndMeeting>& meetings) const {
+    const LineEnd& end = found_.ends[index];
     const double usual = reach(end.stroke, segment.line);
-    const double most = farthest_miss * usual;
-    const Vec2 direction = (segment.b - segment.a).normalized();
     // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that
     // is.
+    const Vec2 direction = (segment.b - segment.a).normalized();
     const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
-    const auto add = [&](double along, const Vec2& at, double more) {
-      const double cost = costs::junction_miss * costs::miss(std::abs(along) / usual) + more;
+    for (const EndHit& hit : end_hits(back, end.outward, farthest_miss * usual, segment.a, segment.b)) {
+      const bool beside = hit.way == EndHit::Way::Beside;
+      if (beside && hit.along >= usual) continue;
+      const double miss = costs::junction_miss * costs::miss(std::abs(hit.along) / usual);
       for (const int side : {1, -1}) {
+        const double against = costs::against_heading * std::max(0.0, -side * heading_left);
         meetings.push_back(
-            {0, segment.line, at, side, along, cost + costs::against_heading * std::max(0.0, -side * heading_left)});
+            {index, segment.line, hit.at, side, hit.along, miss + (beside ? costs::beside : 0) + against});
       }
-    };
-    double walked = 0;
-    for (std::size_t k = 0; k + 1 < bit.size() && walked < most; ++k) {
-      if (cross_properly(bit[k], bit[k + 1], segment.a, segment.b)) {
-        const double fraction = crossing_fraction(bit[k], bit[k + 1], segment.a, segment.b);
-        const double length = (bit[k + 1] - bit[k]).norm();
-        add(-(walked + fraction * length), bit[k] + fraction * (bit[k + 1] - bit[k]), 0);
-        break;
-      }
-      walked += (bit[k + 1] - bit[k]).norm();
     }
-    for (const Vec2& outward : end.outward) {
-      const Vec2 ahead = end.place + most * outward;
-      if (!cross_properly(end.place, ahead, segment.a, segment.b)) continue;
-      const double distance = most * crossing_fraction(end.place, ahead, segment.a, segment.b);
-      add(distance, end.place + distance * outward, 0);
-    }
-    const Vec2 nearest = segment.a + nearest_parameter(end.place, segment.a, segment.b) * (segment.b - segment.a);
-    const double distance = (nearest - end.place).norm();
-    if (distance < usual) {
-      add(distance, nearest, costs::beside);
-    }
-    return meetings;
   }
 
-  double place_cost(const LineEnd& end, const EndMeeting& meeting) const {
+  double place_cost(const EndMeeting& meeting) const {
+    const LineEnd& end = found_.ends[meeting.end];
     const SampledStroke& bar = strokes_[meeting.bar];
     double cost = costs::junction + (meeting.bar == end.stroke ? costs::own_line : 0);
     if (!bar.closed) {
@@ -285,105 +310,11 @@ class ConnectionSearch {
     return blocked ? cost + costs::line_before_bar : cost;
   }
 
-  /// An end that lies on a line does so by chance if it goes on as another one across a gap.
-  void doubt_joins_at_lines() {
-    std::vector<double> least(found_.ends.size(), infinity);
-    for (const EndMeeting& meeting : found_.meetings) {
-      least[meeting.end] = std::min(least[meeting.end], meeting.cost);
-    }
-    for (EndJoin& join : found_.joins) {
-      for (const Index end : {join.a, join.b}) {
-        join.cost += costs::line_at_gap * join.gap * std::max(0.0, 1 - least[end] / costs::chance_meeting);
-      }
-    }
-  }
-
-  /// Ends that plainly are one place of a line have no other meaning.
-  void drop_beside_plain_joins() {
-    constexpr std::array<double, 2> none{infinity, infinity};
-    std::vector<std::array<double, 2>> least(found_.ends.size(), none);  // and the next one
-    for (const EndJoin& join : found_.joins) {
-      for (const Index end : {join.a, join.b}) {
-        auto& [first, second] = least[end];
-        second = std::min(second, std::max(first, join.cost));
-        first = std::min(first, join.cost);
-      }
-    }
-    const auto is_plain = [&](const EndJoin& join) {
-      return join.cost < plain_cost && std::ranges::all_of(std::array{join.a, join.b}, [&](Index end) {
-               return least[end][0] == join.cost && least[end][1] > join.cost + plain_margin;
-             });
-    };
-    std::vector<char> plain(found_.ends.size(), 0);
-    for (const EndJoin& join : found_.joins) {
-      if (is_plain(join)) plain[join.a] = plain[join.b] = 1;
-    }
-    std::erase_if(found_.joins,
-                  [&](const EndJoin& join) { return (plain[join.a] || plain[join.b]) && !is_plain(join); });
-    std::erase_if(found_.meetings, [&](const EndMeeting& meeting) { return plain[meeting.end] != 0; });
-  }
-
-  // Hidden pieces.
-
-  void find_hidden() {
-    std::map<Index, const EndMeeting*> likeliest;
-    for (const EndMeeting& meeting : found_.meetings) {
-      const EndMeeting*& known = likeliest.try_emplace(meeting.end, &meeting).first->second;
-      if (meeting.cost < known->cost) known = &meeting;
-    }
-    const double reference = typical_distance(likeliest);
-    std::map<std::pair<Index, Index>, double> all;
-    std::map<Index, std::vector<std::pair<double, Index>>> of_end;
-    for (const auto& [a, from] : likeliest) {
-      for (const auto& [b, to] : likeliest) {
-        const double distance = (to->at - from->at).norm();
-        if (b <= a || distance > longest_hidden * reference || distance < shortest_hidden * scale_.unit) continue;
-        const double cost = hidden_cost(found_.ends[a], *from, found_.ends[b], *to, reference);
-        all[{a, b}] = cost;
-        of_end[a].emplace_back(cost, b);
-        of_end[b].emplace_back(cost, a);
-      }
-    }
-    std::map<std::pair<Index, Index>, double> kept;
-    for (auto& [end, others] : of_end) {
-      std::sort(others.begin(), others.end());
-      if (others.size() > most_hidden) others.resize(most_hidden);
-      for (const auto& [cost, other] : others) kept[std::minmax(end, other)] = cost;
-    }
-    for (const auto& [pair, cost] : kept) found_.hidden.push_back({pair.first, pair.second, cost});
-  }
-
-  /// The median distance to the nearest other end, of those that likely pass behind something.
-  double typical_distance(const std::map<Index, const EndMeeting*>& likeliest) const {
-    std::vector<double> nearest;
-    for (const auto& [a, from] : likeliest) {
-      double least = infinity;
-      for (const auto& [b, to] : likeliest) {
-        if (a != b) least = std::min(least, (to->at - from->at).norm());
-      }
-      if (from->cost < 1 && least < infinity) nearest.push_back(least);
-    }
-    constexpr double least_reference = 4;
-    if (nearest.empty()) return 100 * scale_.unit;
-    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-    std::nth_element(nearest.begin(), middle, nearest.end());
-    return std::max(*middle, least_reference * scale_.unit);
-  }
-
-  double hidden_cost(const LineEnd& a, const EndMeeting& from, const LineEnd& b, const EndMeeting& to,
-                     double reference) const {
-    const auto curve = completion_curve(from.at, a.outward[0], to.at, b.outward[0]);
-    double cost = completion_cost(curve, 0, reference, {});
-    if (a.stroke == b.stroke) cost = std::min(cost, costs::hidden_of_one_stroke);
-    return costs::flattened(costs::hidden * cost);
-  }
-
   const std::vector<SampledStroke>& strokes_;
   const DrawingScale& scale_;
-  double spacing_;
   std::vector<Index> doubled_;
   SegmentGrid grid_;
-  double largest_;
+  double largest_ = 0;  ///< size of a stroke
   Connections found_;
 };
 

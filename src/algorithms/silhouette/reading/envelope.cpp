@@ -64,7 +64,7 @@ struct Ink {
   void add(const SampledStroke& line, Index s) {
     for (const double parameter : even_parameters(line.points, line.closed, step)) {
       const Vec2 place = point_at(line.points, parameter);
-      const Vec2 cell = (place - box.min()) / (step / 2);
+      const Vec2 cell = (place - box.center()) / (step / 2);
       const std::pair key{std::lround(cell.x()), std::lround(cell.y())};
       const auto [known, fresh] = at_.try_emplace(key, static_cast<Index>(points.size()));
       if (fresh) {
@@ -81,10 +81,11 @@ struct Ink {
 /// Which cells of a grid hold a line: to look from a place into all directions.
 class InkGrid {
  public:
-  explicit InkGrid(const Ink& ink) : low_(ink.box.min()), cell_(2 * ink.step) {
-    const Vec2 size = ink.box.sizes() / cell_;
-    columns_ = static_cast<int>(size.x()) + 2;
-    rows_ = static_cast<int>(size.y()) + 2;
+  explicit InkGrid(const Ink& ink) : cell_(2 * ink.step) {
+    const Vec2 half = ink.box.sizes() / (2 * cell_);  // cells to both sides of the centre: mirrored drawings are alike
+    columns_ = 2 * (static_cast<int>(half.x()) + 1);
+    rows_ = 2 * (static_cast<int>(half.y()) + 1);
+    low_ = ink.box.center() - cell_ / 2 * Vec2(columns_, rows_);
     filled_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
     for (const Vec2& point : ink.points) {
       if (char* filled = cell_at(point)) *filled = 1;

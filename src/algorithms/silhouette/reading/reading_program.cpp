@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -22,11 +23,14 @@ using Term = IntegerProgram::Term;
 constexpr int maximum_reading_nodes = 300;
 constexpr int maximum_nodes = 600;
 constexpr int least_nodes = 20;
-constexpr double reading_gap = 0.01;
+constexpr double reading_gap = 0.003;
 // A stroke bounds the region on one side of it when it does so over this share of its length.
 constexpr double sided_share = 0.5;
 // A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
 constexpr double hopeless = 3;
+
+// An end that is cut off at a bar takes a crossing with it that lies within this share of what is cut off.
+constexpr double cut_share = 0.9;
 
 // A stroke lies on an outline that shares this much of the length of the shorter one.
 constexpr double least_shared = 0.04;
@@ -46,6 +50,23 @@ bool allowed(StrokeKind told, LineKind kind) {
     case StrokeKind::Ignored: return kind == LineKind::Ignored;
   }
   return true;
+}
+
+bool contains(const std::vector<EndJoin>& joins, const EndJoin& join) {
+  return std::ranges::any_of(joins, [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; });
+}
+
+bool contains(const std::vector<EndMeeting>& meetings, const EndMeeting& meeting) {
+  return std::ranges::any_of(meetings, [&](const EndMeeting& other) {
+    return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
+  });
+}
+
+constexpr std::size_t on_left = 0, on_right = 1;
+
+void add_terms(const std::array<Index, 2>& variables, double factor, std::vector<Term>& row) {
+  row.push_back({variables[on_left], factor});
+  if (variables[on_right] != variables[on_left]) row.push_back({variables[on_right], factor});
 }
 
 double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0; }
@@ -191,23 +212,30 @@ std::vector<double> ReadingProgram::least_contour_costs() const {
 void ReadingProgram::add_strokes() {
   const std::vector<double> least = least_contour_costs();
   for (Index s = 0; s < strokes_.size(); ++s) {
-    std::array<Index, kind_count> kinds{};
+    const int known = known_side(s);
+    const bool told = strokes_[s].told != StrokeKind::Visible;
+    const bool is_hopeless = !told && least[s] > least_other_cost(s) + hopeless;
+    std::array<Sides, kind_count> kinds{};
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
       const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
                             : kind == LineKind::Region          ? lies_on_any(s)
-                                                                : kind != LineKind::Tube || !strokes_[s].closed;
-      kinds[k] = program_.add_variable(0, possible && allowed(strokes_[s].told, kind) ? 1 : 0, cost(s, kind));
-      one.push_back({kinds[k], 1});
+                            : kind == LineKind::Tube            ? !strokes_[s].closed
+                                                                : kind != LineKind::Contour || !is_hopeless;
+      const double most = possible && allowed(strokes_[s].told, kind) ? 1 : 0;
+      if (kind == LineKind::Contour || kind == LineKind::Region) {
+        kinds[k][on_left] = program_.add_variable(0, known < 0 ? 0 : most, cost(s, kind));
+        kinds[k][on_right] = program_.add_variable(0, known > 0 ? 0 : most, cost(s, kind));
+      } else {
+        kinds[k].fill(program_.add_variable(0, most, cost(s, kind)));
+      }
+      add_terms(kinds[k], 1, one);
     }
     program_.add_row(one, 1, 1);
     kind_.push_back(kinds);
-    const int side = known_side(s);
-    side_.push_back(program_.add_variable(side > 0 ? 1 : 0, side < 0 ? 0 : 1, 0));
-    const bool told = strokes_[s].told != StrokeKind::Visible;
-    if (!told && least[s] > least_other_cost(s) + hopeless) program_.fix(variable(s, LineKind::Contour), 0);
   }
+  kinds_end_ = program_.variable_count();
 }
 
 void ReadingProgram::add_regions() {
@@ -215,93 +243,92 @@ void ReadingProgram::add_regions() {
     region_.push_back(program_.add_variable(0, 1, costs::region));
   }
   for (Index s = 0; s < strokes_.size(); ++s) {
-    std::vector<Term> needs_one{{variable(s, LineKind::Region), 1}};
+    std::vector<Term> needs_one;
+    add_terms(variables(s, LineKind::Region), 1, needs_one);
     for (std::size_t k = 0; k < region_.size(); ++k) {
       if (!lies_on(s, envelope_.regions[k])) continue;
       needs_one.push_back({region_[k], -1});
-      program_.add_row({{variable(s, LineKind::Contour), 1}, {region_[k], 1}}, 0, 1);
+      std::vector<Term> either{{region_[k], 1}};
+      add_terms(variables(s, LineKind::Contour), 1, either);
+      program_.add_row(std::move(either), 0, 1);
     }
     program_.add_row(std::move(needs_one), -IntegerProgram::unbounded, 0);
   }
 }
 
-/// The surface lies on the same side of both strokes when a line goes on from the end of the one as the other.
-void ReadingProgram::keep_side(Index variable, Index a, Index b) {
-  const LineEnd& from = connections_.ends[a];
-  const LineEnd& to = connections_.ends[b];
-  if (from.stroke == to.stroke) return;
-  const Index first = side_[from.stroke], second = side_[to.stroke];
-  if (from.at_start == to.at_start) {  // one of them is walked against its direction
-    program_.add_row({{variable, 1}, {first, 1}, {second, 1}}, 0, 2);
-    program_.add_row({{variable, 1}, {first, -1}, {second, -1}}, -2, 0);
-  } else {
-    program_.add_row({{variable, 1}, {first, 1}, {second, -1}}, -1, 1);
-    program_.add_row({{variable, 1}, {first, -1}, {second, 1}}, -1, 1);
-  }
-}
-
 void ReadingProgram::add_connections() {
-  std::vector<std::vector<Term>> visible, hidden;  // per end
-  for (const LineEnd& end : connections_.ends) visible.push_back({{variable(end.stroke, LineKind::Contour), -1}});
-  hidden.resize(connections_.ends.size());
+  const std::vector<LineEnd>& ends = connections_.ends;
+  std::vector<std::array<std::vector<Term>, 2>> visible(ends.size()), hidden(ends.size());  // per end and side
+  for (Index e = 0; e < ends.size(); ++e) {
+    for (const std::size_t side : {on_left, on_right}) {
+      visible[e][side].push_back({variables(ends[e].stroke, LineKind::Contour)[side], -1});
+    }
+  }
+  // A line that goes on from one end to another one of its kind is walked against the direction of one of their
+  // strokes.
+  const auto add_pair = [&](Index a, Index b, double cost, auto& rows) {
+    const bool turned = ends[a].at_start == ends[b].at_start;
+    Sides taken{};
+    for (const std::size_t side : {on_left, on_right}) {
+      taken[side] = program_.add_variable(0, 1, cost);
+      rows[a][side].push_back({taken[side], 1});
+      rows[b][turned ? 1 - side : side].push_back({taken[side], 1});
+    }
+    return taken;
+  };
   for (const EndJoin& join : connections_.joins) {
-    const Index stroke = connections_.ends[join.a].stroke;
-    const bool closes = connections_.ends[join.b].stroke == stroke;
-    const bool opens_within = join.gap >= 1 && is_within(stroke) && is_within(connections_.ends[join.b].stroke);
-    const Index taken = program_.add_variable(
-        0, 1, join.cost + (closes ? cost_as_outline(stroke) : 0) + (opens_within ? costs::opening_within : 0));
-    join_.push_back(taken);
-    visible[join.a].push_back({taken, 1});
-    visible[join.b].push_back({taken, 1});
-    keep_side(taken, join.a, join.b);
+    const Index a = ends[join.a].stroke, b = ends[join.b].stroke;
+    const bool opens_within = join.gap >= 1 && is_within(a) && is_within(b);
+    const double more = (a == b ? cost_as_outline(a) : 0) + (opens_within ? costs::opening_within : 0);
+    join_.push_back(add_pair(join.a, join.b, join.cost + more, visible));
   }
   for (const EndMeeting& meeting : connections_.meetings) {
-    const Index taken = program_.add_variable(0, 1, meeting.cost);
+    const std::size_t front = meeting.side > 0 ? on_left : on_right;
+    std::vector<Term> has_bar{{variables(meeting.bar, LineKind::Contour)[front], -1},
+                              {variables(meeting.bar, LineKind::Region)[front], -1}};
+    Sides taken{};
+    for (const std::size_t side : {on_left, on_right}) {
+      taken[side] = program_.add_variable(0, 1, meeting.cost);
+      visible[meeting.end][side].push_back({taken[side], 1});
+      hidden[meeting.end][side].push_back({taken[side], -1});
+      has_bar.push_back({taken[side], 1});
+    }
     meeting_.push_back(taken);
-    visible[meeting.end].push_back({taken, 1});
-    hidden[meeting.end].push_back({taken, -1});
-    program_.add_row(
-        {{taken, 1}, {variable(meeting.bar, LineKind::Contour), -1}, {variable(meeting.bar, LineKind::Region), -1}}, -1,
-        0);
-    const Index side = side_[meeting.bar];
-    meeting.side > 0 ? program_.add_row({{taken, 1}, {side, -1}}, -1, 0)
-                     : program_.add_row({{taken, 1}, {side, 1}}, 0, 1);
+    program_.add_row(std::move(has_bar), -1, 0);
   }
   for (const HiddenPair& pair : connections_.hidden) {
-    const Index stroke = connections_.ends[pair.a].stroke;
-    const bool is_limb = connections_.ends[pair.b].stroke == stroke;
-    const Index taken = program_.add_variable(0, 1, pair.cost + (is_limb ? cost_as_outline(stroke) : 0));
-    hidden_.push_back(taken);
-    if (is_limb) {  // the surface lies in what its line goes round
-      signed_area(strokes_[stroke].points) > 0 ? program_.add_row({{taken, 1}, {side_[stroke], -1}}, -1, 0)
-                                               : program_.add_row({{taken, 1}, {side_[stroke], 1}}, 0, 1);
-    }
-    hidden[pair.a].push_back({taken, 1});
-    hidden[pair.b].push_back({taken, 1});
-    keep_side(taken, pair.a, pair.b);
+    const Index stroke = ends[pair.a].stroke;
+    const bool is_limb = ends[pair.b].stroke == stroke;
+    const Sides taken = add_pair(pair.a, pair.b, pair.cost + (is_limb ? cost_as_outline(stroke) : 0), hidden);
+    // The surface of a limb lies in what its line goes round.
+    if (is_limb) program_.fix(taken[signed_area(strokes_[stroke].points) > 0 ? on_right : on_left], 0);
   }
-  for (std::vector<Term>& row : visible) program_.add_row(std::move(row), 0, 0);
-  for (std::vector<Term>& row : hidden) {
-    if (!row.empty()) program_.add_row(std::move(row), 0, 0);
+  for (auto* rows : {&visible, &hidden}) {
+    for (auto& sides : *rows) {
+      for (std::vector<Term>& row : sides) {
+        if (!row.empty()) program_.add_row(std::move(row), 0, 0);
+      }
+    }
   }
 }
 
 std::optional<Reading> ReadingProgram::best() {
   const int nodes = std::clamp(maximum_nodes - nodes_, least_nodes, maximum_reading_nodes);
-  const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap);
+  const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap, kinds_end_);
   nodes_ += solution.nodes;
   if (solution.values.empty()) return std::nullopt;
   const auto taken = [&](Index variable) { return solution.values[variable] != 0; };
+  const auto either_taken = [&](const Sides& sides) { return taken(sides[on_left]) || taken(sides[on_right]); };
   Reading reading;
   for (Index s = 0; s < strokes_.size(); ++s) {
-    const auto kind = std::ranges::find_if(kind_[s], taken);
+    const auto kind = std::ranges::find_if(kind_[s], either_taken);
     reading.kinds.push_back(static_cast<LineKind>(kind - kind_[s].begin()));
   }
   for (std::size_t i = 0; i < join_.size(); ++i) {
-    if (taken(join_[i])) reading.joins.push_back(connections_.joins[i]);
+    if (either_taken(join_[i])) reading.joins.push_back(connections_.joins[i]);
   }
   for (std::size_t i = 0; i < meeting_.size(); ++i) {
-    if (taken(meeting_[i])) reading.meetings.push_back(connections_.meetings[i]);
+    if (either_taken(meeting_[i])) reading.meetings.push_back(connections_.meetings[i]);
   }
   for (Index k = 0; k < region_.size(); ++k) {
     if (taken(region_[k])) reading.regions.push_back(k);
@@ -314,32 +341,84 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
   std::vector<Term> all;
   double count = 0;
-  const auto add = [&](Index taken) {
-    all.push_back({taken, 1});
+  const auto add = [&](const Sides& taken) {
+    add_terms(taken, 1, all);
     ++count;
   };
   for (Index s = 0; s < strokes_.size(); ++s) {
     if (!is_meant(s)) continue;
-    add(variable(s, reading.kinds[s]));
+    add(variables(s, reading.kinds[s]));
     // Whether a line is a detail or none makes no difference to contours.
-    if (reading.kinds[s] == LineKind::Detail) all.push_back({variable(s, LineKind::Ignored), 1});
-    if (reading.kinds[s] == LineKind::Ignored) all.push_back({variable(s, LineKind::Detail), 1});
+    if (reading.kinds[s] == LineKind::Detail) add_terms(variables(s, LineKind::Ignored), 1, all);
+    if (reading.kinds[s] == LineKind::Ignored) add_terms(variables(s, LineKind::Detail), 1, all);
   }
   for (std::size_t i = 0; connections && i < join_.size(); ++i) {
     const EndJoin& join = connections_.joins[i];
-    const auto is_this = [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; };
-    if (std::ranges::none_of(reading.joins, is_this)) continue;
+    if (!contains(reading.joins, join)) continue;
     if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[i]);
   }
   for (std::size_t i = 0; connections && i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
-    const auto is_this = [&](const EndMeeting& other) {
-      return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
-    };
-    if (std::ranges::none_of(reading.meetings, is_this)) continue;
+    if (!contains(reading.meetings, meeting)) continue;
     if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[i]);
   }
   program_.add_row(std::move(all), 0, count - 1);
+}
+
+/// A line has hidden ends when an end of one of its strokes meets a bar.
+void ReadingProgram::add_open_lines() {
+  for (Index s = 0; s < strokes_.size(); ++s) open_.push_back(program_.add_variable(0, 1, 0));
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    std::vector<Term> row{{open_[connections_.ends[connections_.meetings[i].end].stroke], -1}};
+    add_terms(meeting_[i], 1, row);
+    program_.add_row(std::move(row), -1, 0);
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    const Index a = open_[connections_.ends[connections_.joins[i].a].stroke];
+    const Index b = open_[connections_.ends[connections_.joins[i].b].stroke];
+    if (a == b) continue;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+      std::vector<Term> row{{from, 1}, {to, -1}};
+      add_terms(join_[i], 1, row);
+      program_.add_row(std::move(row), -1, 1);
+    }
+  }
+}
+
+bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at) {
+  DisjointSets lines(strokes_.size());
+  const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
+  for (const EndJoin& join : reading.joins) lines.unite(stroke_of(join.a), stroke_of(join.b));
+  const auto is_open = [&](Index stroke) {
+    return reading.kinds[stroke] == LineKind::Contour &&
+           std::ranges::any_of(reading.meetings, [&](const auto& meeting) {
+             return lines.root(stroke_of(meeting.end)) == lines.root(stroke);
+           });
+  };
+  if (!is_open(a) || !is_open(b)) return false;
+  if (open_.empty()) add_open_lines();
+  std::vector<Term> terms;
+  double most = -1;
+  for (const Index stroke : std::set{a, b}) {
+    add_terms(variables(stroke, LineKind::Contour), 1, terms);
+    terms.push_back({open_[stroke], 1});
+    most += 2;
+  }
+  // Other connections may cut off the end that crosses.
+  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+    const EndMeeting& meeting = connections_.meetings[i];
+    const Index stroke = stroke_of(meeting.end);
+    const bool cuts =
+        meeting.along < 0 && -meeting.along > cut_share * (connections_.ends[meeting.end].place - at).norm();
+    if ((stroke == a || stroke == b) && cuts && !contains(reading.meetings, meeting)) add_terms(meeting_[i], -1, terms);
+  }
+  for (std::size_t i = 0; i < join_.size(); ++i) {
+    const EndJoin& join = connections_.joins[i];
+    const auto both = std::minmax(stroke_of(join.a), stroke_of(join.b));
+    if (both == std::minmax(a, b) && !contains(reading.joins, join)) add_terms(join_[i], -1, terms);
+  }
+  program_.add_row(std::move(terms), -IntegerProgram::unbounded, most);
+  return true;
 }
 
 std::vector<Index> ReadingProgram::contradictions() const {
@@ -348,22 +427,24 @@ std::vector<Index> ReadingProgram::contradictions() const {
     if (strokes_[s].told == StrokeKind::Visible) continue;
     told.push_back(s);
     IntegerProgram without = program_;
-    for (const LineKind kind : {LineKind::Contour, LineKind::Detail, LineKind::Ignored}) {
-      without.set_bounds(variable(s, kind), 0, 1);
-    }
-    if (!without.solve(least_nodes, reading_gap).values.empty()) contradicting.push_back(s);
+    for (const LineKind kind : {LineKind::Contour, LineKind::Detail, LineKind::Ignored}) set_most(without, s, kind, 1);
+    if (!without.solve(least_nodes, reading_gap, kinds_end_).values.empty()) contradicting.push_back(s);
   }
   return contradicting.empty() ? told : contradicting;
 }
 
+void ReadingProgram::set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const {
+  for (const Index variable : variables(stroke, kind)) program.set_bounds(variable, 0, most);
+}
+
 void ReadingProgram::forbid_loss(Index stroke) {
-  program_.fix(variable(stroke, LineKind::Detail), 0);
+  set_most(program_, stroke, LineKind::Detail, 0);
   const bool can_be_limb = !strokes_[stroke].closed && hanging_[stroke] >= 1;
-  if (can_be_limb) program_.fix(variable(stroke, LineKind::Ignored), 0);
+  if (can_be_limb) set_most(program_, stroke, LineKind::Ignored, 0);
 }
 
 void ReadingProgram::forbid(LineKind kind) {
-  for (Index s = 0; s < strokes_.size(); ++s) program_.fix(variable(s, kind), 0);
+  for (Index s = 0; s < strokes_.size(); ++s) set_most(program_, s, kind, 0);
 }
 
 void ReadingProgram::allow_regions_only() {

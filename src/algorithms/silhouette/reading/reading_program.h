@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/figure/integer_program.h"
 #include "algorithms/silhouette/reading/connections.h"
 #include "algorithms/silhouette/reading/envelope.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 
@@ -26,16 +26,16 @@ struct Reading {
   std::vector<EndJoin> joins;        ///< of contours: each end is in one of these,
   std::vector<EndMeeting> meetings;  ///< or in one of those
   std::vector<Index> regions;        ///< positions in Envelope::regions
-  double cost = 0;
 };
 
-/// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k) = stroke s has kind k,
-/// r = region taken, j = join, m = meeting, h = hidden pair taken, o = the surface lies on the stroke's left:
-///   Σ_k x(s,k) = 1; x(s,Region) <= Σ r of regions that s lies on; x(s,Contour) + r <= 1 for these
-///   Σ j + Σ m = x(s,Contour) at each end; Σ h = Σ m at each end
-///   m <= x(bar,Contour) + x(bar,Region), and o of the bar as the meeting says
-///   o agrees along joins and hidden pairs
+/// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k,o) = stroke s has kind k and
+/// the surface on its side o (left or right, of what bounds one), r = region taken, j(o) = join, m(o) = meeting,
+/// h(o) = hidden pair taken, with the surface on side o of the first end's stroke and so on one side of the other's:
+///   Σ x(s,k,o) = 1; Σ_o x(s,Region,o) <= Σ r of regions that s lies on; Σ_o x(s,Contour,o) + r <= 1 for these
+///   Σ j(o) + Σ m(o) = x(s,Contour,o) at each end for each side; Σ h(o) = Σ m(o) likewise
+///   Σ_o m(o) <= x(bar,Contour,p) + x(bar,Region,p) for the side p of the bar that the meeting says
 /// at the least sum of costs (reading_costs.h). Readings come best first: what turns out to be impossible is excluded.
+/// Variables for each side take the place of rows that compare sides: relaxations of those are weak.
 class ReadingProgram {
  public:
   /// All of them must outlive the program.
@@ -48,6 +48,11 @@ class ReadingProgram {
   /// @param strokes     positions; all when empty
   /// @param connections may change, else one of the strokes must get another kind
   void exclude(const Reading& reading, const std::vector<Index>& strokes, bool connections);
+
+  /// Two lines with hidden ends, or one, cross in full view as that reading has it: nothing says which is in front.
+  /// @param a, b positions, of the same stroke where one crosses itself
+  /// @return false when one of them is closed in that reading, and nothing was excluded
+  bool exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at);
 
   /// Only the outlines of regions may be contours.
   void allow_regions_only();
@@ -64,8 +69,11 @@ class ReadingProgram {
 
  private:
   static constexpr std::size_t kind_count = 5;
+  /// With the surface on the left, and on the right; twice the same of kinds that bound no surface.
+  using Sides = std::array<Index, 2>;
 
-  Index variable(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  const Sides& variables(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  void set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const;
   std::vector<double> hanging() const;
   bool lies_on(Index stroke, const EnclosedRegion& region) const;
   bool lies_on_any(Index stroke) const;
@@ -79,7 +87,7 @@ class ReadingProgram {
   void add_strokes();
   void add_regions();
   void add_connections();
-  void keep_side(Index variable, Index a, Index b);
+  void add_open_lines();
 
   const std::vector<SampledStroke>& strokes_;
   const Connections& connections_;
@@ -90,8 +98,11 @@ class ReadingProgram {
   std::vector<double> hanging_;    ///< per stroke
   IntegerProgram program_;
   int nodes_ = 0;  ///< looked at by all searches
-  std::vector<std::array<Index, kind_count>> kind_;
-  std::vector<Index> side_, region_, join_, meeting_, hidden_;
+  std::vector<std::array<Sides, kind_count>> kind_;
+  Index kinds_end_ = 0;  ///< the first variable after those of kinds
+  std::vector<Sides> join_, meeting_;
+  std::vector<Index> region_;
+  std::vector<Index> open_;  ///< per stroke: its line has hidden ends; empty until it matters
 };
 
 }  // namespace croquis::silhouette

@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/silhouette/strokes/covered_runs.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {

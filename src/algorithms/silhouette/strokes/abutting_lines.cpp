@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
-#include <utility>
+#include <optional>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/silhouette/strokes/covered_runs.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/polyline.h"
 
@@ -24,38 +23,39 @@ constexpr double depth_share = 0.12;
 constexpr double width_share = 0.25;
 
 /// Where a line comes nearest to another one, or deepest into it.
-struct Contact {
-  Index point = 0;                                            ///< of the line
+struct Approach {
+  std::size_t point = 0;                                      ///< of the line
   double distance = std::numeric_limits<double>::infinity();  ///< negative within the other one
   Vec2 direction = Vec2::Zero();                              ///< unit: into the other one
 };
 
 /// @param reach no farther and no deeper than that
-Contact contact_between(const CleanLine& line, const CleanLine& other, double reach) {
+Approach approach_of(const CleanLine& line, const CleanLine& other, double reach) {
   const SegmentGrid grid(line_segments({other}), reach);
   const double inside = signed_area(other.points) > 0 ? 1 : -1;
-  Contact found;
-  for (Index i = 0; i < line.points.size(); ++i) {
+  Approach found;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
     const Vec2& point = line.points[i];
-    Contact here{i};
-    grid.near_box(point - Vec2::Constant(reach), point + Vec2::Constant(reach), [&](Index k) {
-      const GridSegment& segment = grid.segments()[k];
-      const Vec2 way = segment.a + nearest_parameter(point, segment.a, segment.b) * (segment.b - segment.a) - point;
-      if (way.norm() >= here.distance) return;
-      here = {i, way.norm(),
-              way.norm() > 0 ? way.normalized() : inside * left_of((segment.b - segment.a).normalized())};
-    });
+    Approach here{i};
+    if (const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, reach)) {
+      const GridSegment& segment = grid.segments()[nearest->segment];
+      const Vec2 way = nearest->at - point;
+      here.distance = nearest->distance;
+      here.direction =
+          nearest->distance > 0 ? way.normalized() : inside * left_of((segment.b - segment.a).normalized());
+    }
     if (other.closed && encloses(other, point)) here = {i, -std::min(reach, here.distance), -here.direction};
-    if (here.distance < std::min(reach, found.distance)) found = here;
+    if (here.distance < found.distance) found = here;
   }
   return found;
 }
 
 /// Two closed lines that weren't meant to cross lie beside one another.
 bool lie_beside(const CleanLine& a, const CleanLine& b, const DrawingScale& scale) {
-  const CleanLine& smaller = a.size < b.size ? a : b;
+  const bool a_is_smaller = a.size < b.size;
+  const CleanLine& smaller = a_is_smaller ? a : b;
   const double shallow = scale.shallow(smaller.size);
-  return a.closed && b.closed && contact_between(smaller, &smaller == &a ? b : a, shallow).distance > -shallow;
+  return a.closed && b.closed && approach_of(smaller, a_is_smaller ? b : a, shallow).distance > -shallow;
 }
 
 /// Lines that end at one another, or cross, are one thing.
@@ -66,25 +66,22 @@ DisjointSets things_of(const std::vector<CleanLine>& lines, const EndTargets& ta
       if (target) things.unite(line, target->bar);
     }
   }
-  std::set<std::pair<Index, Index>> crossing;
-  const SegmentGrid grid(line_segments(lines), scale.step);
-  grid.pairs([&](Index i, Index j) {
-    const GridSegment& a = grid.segments()[i];
-    const GridSegment& b = grid.segments()[j];
-    if (a.line != b.line && cross_properly(a.a, a.b, b.a, b.b)) crossing.insert(std::minmax(a.line, b.line));
-  });
-  for (const auto& [a, b] : crossing) {
+  for (const auto& [a, b] : crossing_pairs(lines, scale)) {
     if (!lie_beside(lines[a], lines[b], scale)) things.unite(a, b);
   }
   return things;
 }
 
-void lead(CleanLine& line, const Contact& contact) {
+bool lies_within(const CleanLine& line, const CleanLine& other) {
+  return other.closed && std::ranges::all_of(line.points, [&](const Vec2& point) { return encloses(other, point); });
+}
+
+void lead(CleanLine& line, const Approach& approach) {
   const std::vector<double> arcs = arc_lengths(line.points, true);
   const double width = width_share * line.size;
-  const Vec2 way = (contact.distance + depth_share * line.size) * contact.direction;
+  const Vec2 way = (approach.distance + depth_share * line.size) * approach.direction;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const double along = std::abs(arcs[i] - arcs[contact.point]);
+    const double along = std::abs(arcs[i] - arcs[approach.point]);
     const double away = std::min(along, arcs.back() - along) / width;
     if (away < 1) line.points[i] += (1 + std::cos(std::numbers::pi * away)) / 2 * way;
   }
@@ -96,26 +93,22 @@ void lead(CleanLine& line, const Contact& contact) {
 void lead_into_neighbours(std::vector<CleanLine>& lines, const EndTargets& targets, const DrawingScale& scale) {
   if (scale.reach_share <= 0) return;
   const std::vector<Index> thing = things_of(lines, targets, scale).take_roots();
-  const auto is_within_any = [&](const CleanLine& line) {
-    return std::ranges::any_of(lines, [&](const CleanLine& other) {
-      return &other != &line && other.closed &&
-             std::ranges::all_of(line.points, [&](const Vec2& point) { return encloses(other, point); });
-    });
-  };
   std::vector<Eigen::AlignedBox2d> boxes(lines.size());
   for (Index i = 0; i < lines.size(); ++i) {
     for (const Vec2& point : lines[i].points) boxes[i].extend(point);
   }
   for (Index a = 0; a < lines.size(); ++a) {
     CleanLine& line = lines[a];
-    if (!line.closed || line.tube || std::ranges::count(thing, thing[a]) > 1 || is_within_any(line)) continue;
-    Contact nearest;
+    const auto is_around = [&](const CleanLine& other) { return &other != &line && lies_within(line, other); };
+    if (!line.closed || line.tube || std::ranges::count(thing, thing[a]) > 1) continue;
+    if (std::ranges::any_of(lines, is_around)) continue;
+    Approach nearest;
     for (Index b = 0; b < lines.size(); ++b) {
       if (b == a || lines[b].tube || lines[b].size < line.size) continue;
       const double reach = scale.reach(lines[b].size);
       if (boxes[a].exteriorDistance(boxes[b]) > reach) continue;
-      const Contact contact = contact_between(line, lines[b], reach);
-      if (contact.distance < nearest.distance) nearest = contact;
+      const Approach approach = approach_of(line, lines[b], reach);
+      if (approach.distance < nearest.distance) nearest = approach;
     }
     if (std::isfinite(nearest.distance)) lead(line, nearest);
   }

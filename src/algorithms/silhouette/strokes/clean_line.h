@@ -28,26 +28,19 @@ struct CleanLine {
   Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
   const Vec2& end(bool at_start) const { return at_start ? points.front() : points.back(); }
   Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }
-};
 
-/// A stroke that is told to be hidden, as drawn.
-struct HiddenStroke {
-  Index stroke = 0;  ///< index into Drawing::strokes
-  Points points;     ///< no two following ones alike
-  bool closed = false;
-};
+  void reverse() {
+    std::ranges::reverse(points);
+    std::ranges::reverse(stroke);
+    std::ranges::reverse(raw);
+  }
 
-/// A piece of contour that is known though it is hidden: it joins two ends of lines.
-struct HiddenPiece {
-  struct End {
-    Index line = 0;
-    bool at_start = false;
-  };
-
-  End from;
-  End to;
-  Points points;              ///< between the two places, both included
-  std::vector<Index> stroke;  ///< per point: index into Drawing::strokes
+  /// Drops all samples but those from `first` to before `last`.
+  void keep(Index first, Index last) {
+    points = {points.begin() + first, points.begin() + last};
+    stroke = {stroke.begin() + first, stroke.begin() + last};
+    if (!raw.empty()) raw = {raw.begin() + first, raw.begin() + last};
+  }
 };
 
 /// Something wrong with certain lines: their part of the drawing can't be labelled, others can.

@@ -2,13 +2,12 @@
 #include "algorithms/silhouette/strokes/doubled_strokes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
 
-#include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/segment_grid.h"
 
 namespace croquis::silhouette {
@@ -31,164 +30,141 @@ constexpr double strand_distance = 2;
 // They keep to one side when their mean distance is so many times its standard deviation.
 constexpr double steadiness = 2;
 
-/// How far another line runs from the samples of one.
-struct Company {
-  double count = 0;
-  double sum = 0;  ///< of signed distances, left of the other line positive
-  double squares = 0;
-
-  void add(double distance) {
-    ++count;
+/// Whether a line keeps to one side of another one.
+/// @param distances signed, from samples of the one to the other
+bool keeps_to_one_side(const std::vector<double>& distances, double unit) {
+  double sum = 0, squares = 0;
+  for (const double distance : distances) {
     sum += distance;
     squares += distance * distance;
   }
-
-  bool is_strand(double unit) const {
-    const double mean = std::abs(sum) / count;
-    const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-    return mean >= strand_distance * unit && mean >= steadiness * deviation;
-  }
-};
-
-/// Signed distances to the lines other than `own` that are within `reach` of a place.
-std::map<Index, double> lines_beside(const SegmentGrid& grid, const Vec2& place, Index own, double reach) {
-  std::map<Index, double> beside;
-  const Vec2 box = Vec2::Constant(reach);
-  grid.near_box(place - box, place + box, [&](Index i) {
-    const GridSegment& segment = grid.segments()[i];
-    if (segment.line == own) return;
-    const Vec2 along = segment.b - segment.a;
-    const Vec2 away = place - (segment.a + nearest_parameter(place, segment.a, segment.b) * along);
-    const double distance = away.norm();
-    if (distance > reach) return;
-    const auto [entry, fresh] = beside.try_emplace(segment.line, reach);
-    if (fresh || distance < std::abs(entry->second)) entry->second = cross(along, away) < 0 ? -distance : distance;
-  });
-  return beside;
+  const auto count = static_cast<double>(distances.size());
+  const double mean = std::abs(sum) / count;
+  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  return mean >= strand_distance * unit && mean >= steadiness * deviation;
 }
 
-/// The samples of strokes that are left while ends are cut off.
-class RetracedEnds {
- public:
-  RetracedEnds(const std::vector<SampledStroke>& strokes, const DrawingScale& scale)
-      : strokes_(strokes), scale_(scale), grid_(stroke_segments(strokes), scale.step, retracing_distance * scale.unit) {
-    for (const SampledStroke& stroke : strokes) kept_.push_back({0, static_cast<Index>(stroke.points.size())});
-  }
+/// The samples that are left of a stroke while ends are cut off: from `begin` to before `end`.
+struct KeptRun {
+  Index begin = 0;
+  Index end = 0;
 
-  /// Begin and end of what is left of each stroke.
-  std::vector<std::array<Index, 2>> run() {
-    for (Index s = static_cast<Index>(strokes_.size()); s-- > 0;) {
-      if (strokes_[s].closed || !may_be_outline(strokes_[s].told)) continue;
-      for (const bool at_start : {false, true}) cut(s, at_start);
-    }
-    return std::move(kept_);
-  }
+  std::span<const Vec2> of(const Points& points) const { return std::span(points).subspan(begin, end - begin); }
+};
 
- private:
-  static bool may_be_outline(StrokeKind told) {
-    return told == StrokeKind::Visible || told == StrokeKind::Contour || told == StrokeKind::Part ||
-           told == StrokeKind::Blob || told == StrokeKind::Hole;
-  }
+/// An end of a stroke that may be cut off.
+struct CutEnd {
+  Index stroke = 0;
+  bool at_start = false;
+  double reach = 0;  ///< of what it runs along
+};
 
-  void cut(Index s, bool at_start) {
-    const Points& points = strokes_[s].points;
-    const auto [begin, end] = kept_[s];
-    Index along = begin;  // counted from the end that is looked at
-    Index i = at_start ? begin : end - 1;
-    for (; along + 1 < end; ++along) {
-      const Index next = at_start ? i + 1 : i - 1;
-      if (!runs_along_another(s, i, (points[next] - points[i]).normalized())) break;
-      i = next;
-    }
-    const double cut = spacing(s) * (along - begin), rest = spacing(s) * (end - along);
-    if (std::min(cut, rest) < least_retraced * reach(s) || !goes_on_from_end(s, at_start, i, cut)) return;
-    kept_[s] = at_start ? std::array{i, end} : std::array{begin, i + 1};
-  }
+/// Whether the step from one sample of a stroke to the next runs along what is left of another one, or along a part of
+/// its own far from there.
+bool runs_along_another(const SegmentGrid& grid, const std::vector<SampledStroke>& strokes,
+                        const std::vector<KeptRun>& kept, const CutEnd& cut, Index from, Index to) {
+  const Points& points = strokes[cut.stroke].points;
+  const Vec2 direction = (points[to] - points[from]).normalized();
+  bool found = false;
+  grid.near_place(points[from], cut.reach, [&](const GridSegment& segment, const Vec2&) {
+    const auto [begin, end] = kept[segment.line];
+    const Index last = strokes[segment.line].closed ? end : end - 1;
+    if (segment.position < begin || segment.position >= last) return;
+    const Index apart = std::max(segment.position, from) - std::min(segment.position, from);
+    if (segment.line == cut.stroke && apart <= points.size() / 2) return;
+    const Vec2 along = segment.b - segment.a;
+    found = found || std::abs(along.dot(direction)) > parallel_cosine * along.norm();
+  });
+  return found;
+}
 
-  double reach(Index s) const {
-    return std::min(retracing_distance * scale_.unit, scale_.reach_share * strokes_[s].size);
-  }
-  double spacing(Index s) const { return strokes_[s].length / static_cast<double>(strokes_[s].points.size() - 1); }
-
-  bool runs_along_another(Index s, Index i, const Vec2& direction) const {
-    const Vec2& place = strokes_[s].points[i];
-    const Vec2 box = Vec2::Constant(reach(s));
-    bool found = false;
-    grid_.near_box(place - box, place + box, [&](Index k) {
-      const GridSegment& segment = grid_.segments()[k];
-      if (found || !may_be_retraced(segment, s, i)) return;
-      const Vec2 along = segment.b - segment.a;
-      const Vec2 away = place - (segment.a + nearest_parameter(place, segment.a, segment.b) * along);
-      found = std::abs(along.dot(direction)) > parallel_cosine * along.norm() && away.norm() < reach(s);
-    });
-    return found;
-  }
-
-  /// Whether another line, or the other end of the same one, ends where a stroke goes on alone, and in its direction:
-  /// lines that only come together don't.
-  bool goes_on_from_end(Index s, bool at_start, Index i, double cut) const {
-    const Points& points = strokes_[s].points;
-    const auto back = static_cast<Index>(std::min(cut, 2 * reach(s)) / spacing(s));
-    const Vec2 onward = (points[i] - points[at_start ? i - back : i + back]).normalized();
-    const auto bit = [&](Index other) {
-      const auto [begin, end] = kept_[other];
-      return std::span(strokes_[other].points).subspan(begin, end - begin);
-    };
-    for (Index other = 0; other < strokes_.size(); ++other) {
-      if (strokes_[other].closed || cut > most_retraced * strokes_[other].length) continue;
-      for (const bool start : {true, false}) {
-        if (other == s && start == at_start) continue;
-        const Vec2& end = start ? bit(other).front() : bit(other).back();
-        if ((end - points[i]).norm() > 2 * reach(s)) continue;
-        if (end_chord(bit(other), start, 2 * reach(s)).dot(onward) > parallel_cosine) return true;
+/// Whether another line, or the other end of the same one, ends where a stroke goes on alone, and in its direction:
+/// lines that only come together don't.
+/// @param onward the stroke's direction at that place
+bool goes_on_from_end(const std::vector<SampledStroke>& strokes, const std::vector<KeptRun>& kept, const CutEnd& cut,
+                      double length, const Vec2& place, const Vec2& onward) {
+  for (Index other = 0; other < strokes.size(); ++other) {
+    if (strokes[other].closed || length > most_retraced * strokes[other].length) continue;
+    const std::span<const Vec2> points = kept[other].of(strokes[other].points);
+    for (const bool at_start : {true, false}) {
+      if (other == cut.stroke && at_start == cut.at_start) continue;
+      const Vec2& end = at_start ? points.front() : points.back();
+      if ((end - place).norm() <= 2 * cut.reach &&
+          end_chord(points, at_start, 2 * cut.reach).dot(onward) > parallel_cosine) {
+        return true;
       }
     }
-    return false;
   }
+  return false;
+}
 
-  bool may_be_retraced(const GridSegment& segment, Index s, Index i) const {
-    const auto [begin, end] = kept_[segment.line];
-    if (segment.position < begin || segment.position + 1 >= end + (strokes_[segment.line].closed ? 1 : 0)) return false;
-    if (segment.line != s) return true;
-    const Index apart = std::max(segment.position, i) - std::min(segment.position, i);
-    return apart > strokes_[s].points.size() / 2;
-  }
-
-  const std::vector<SampledStroke>& strokes_;
-  const DrawingScale& scale_;
-  SegmentGrid grid_;
-  std::vector<std::array<Index, 2>> kept_;  ///< per stroke
-};
+bool may_be_outline(StrokeKind told) {
+  return told == StrokeKind::Visible || told == StrokeKind::Contour || told == StrokeKind::Part ||
+         told == StrokeKind::Blob || told == StrokeKind::Hole;
+}
 
 }  // namespace
 
 std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   const double reach = doubling_distance * scale.unit;
-  const SegmentGrid grid(stroke_segments(strokes), scale.step, reach);
-  std::map<std::pair<Index, Index>, Company> company;
+  const SegmentGrid grid(stroke_segments(strokes), scale.step);
+  std::map<std::pair<Index, Index>, std::vector<double>> beside;  // distances, left of the second stroke positive
   for (Index s = 0; s < strokes.size(); ++s) {
     for (const Vec2& point : strokes[s].points) {
-      for (const auto& [other, distance] : lines_beside(grid, point, s, reach)) company[{s, other}].add(distance);
+      std::map<Index, double> nearest;
+      grid.near_place(point, reach, [&](const GridSegment& segment, const Vec2& at) {
+        if (segment.line == s) return;
+        const double distance = (point - at).norm();
+        double& least = nearest.try_emplace(segment.line, std::numeric_limits<double>::infinity()).first->second;
+        if (distance < std::abs(least)) least = cross(segment.b - segment.a, point - at) < 0 ? -distance : distance;
+      });
+      for (const auto& [other, distance] : nearest) beside[{s, other}].push_back(distance);
     }
   }
   std::vector<Index> doubled(strokes.size(), no_index);
-  for (const auto& [pair, distances] : company) {
+  for (const auto& [pair, distances] : beside) {
     const auto& [s, other] = pair;
     const auto size = strokes[s].points.size(), other_size = strokes[other].points.size();
     if (size > other_size || (size == other_size && s < other)) continue;  // asked of the shorter one
-    if (distances.count < doubling_share * static_cast<double>(size) || distances.is_strand(scale.unit)) continue;
+    const bool long_enough = static_cast<double>(distances.size()) >= doubling_share * static_cast<double>(size);
+    if (!long_enough || keeps_to_one_side(distances, scale.unit)) continue;
     if (strokes[s].told == StrokeKind::Visible) doubled[s] = other;
   }
   return doubled;
 }
 
 void cut_retraced_ends(std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
-  const std::vector<std::array<Index, 2>> kept = RetracedEnds(strokes, scale).run();
+  if (scale.reach_share <= 0) return;
+  const SegmentGrid grid(stroke_segments(strokes), scale.step);
+  std::vector<KeptRun> kept;
+  for (const SampledStroke& stroke : strokes) kept.push_back({0, static_cast<Index>(stroke.points.size())});
+  for (auto s = static_cast<Index>(strokes.size()); s-- > 0;) {
+    const SampledStroke& stroke = strokes[s];
+    if (stroke.closed || !may_be_outline(stroke.told)) continue;
+    const double reach = std::min(retracing_distance * scale.unit, scale.reach_share * stroke.size);
+    const double spacing = stroke.length / static_cast<double>(stroke.points.size() - 1);
+    for (const bool at_start : {false, true}) {
+      auto& [begin, end] = kept[s];
+      const CutEnd cut{s, at_start, reach};
+      const auto sample = [&](Index steps) { return at_start ? begin + steps : end - 1 - steps; };
+      Index steps = 0;  // from the end, along another line
+      while (begin + steps + 1 < end &&
+             runs_along_another(grid, strokes, kept, cut, sample(steps), sample(steps + 1))) {
+        ++steps;
+      }
+      const double length = spacing * steps, rest = spacing * (end - begin - steps);
+      if (std::min(length, rest) < least_retraced * reach) continue;
+      const Vec2& place = stroke.points[sample(steps)];
+      const auto back = static_cast<Index>(std::min(length, 2 * reach) / spacing);
+      const Vec2 onward = (place - stroke.points[sample(steps - back)]).normalized();
+      if (goes_on_from_end(strokes, kept, cut, length, place, onward)) (at_start ? begin += steps : end -= steps);
+    }
+  }
   for (Index s = 0; s < strokes.size(); ++s) {
     SampledStroke& stroke = strokes[s];
-    const auto [begin, end] = kept[s];
-    if (end - begin == stroke.points.size()) continue;
-    stroke.points = Points(stroke.points.begin() + begin, stroke.points.begin() + end);
+    if (kept[s].end - kept[s].begin == stroke.points.size()) continue;
+    const std::span<const Vec2> left = kept[s].of(stroke.points);
+    stroke.points = Points(left.begin(), left.end());
     stroke.length = length(stroke.points, false);
     stroke.size = size_of(stroke.points, false);
   }

@@ -8,38 +8,26 @@
 namespace croquis::silhouette {
 namespace {
 
-std::string number_text(double value, int digits) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
-  return {text.data(), end};
+/// Findings are in the file's y-down frame; zero must not become "-0".
+Subject subject_at(const Drawing& drawing, SubjectKind kind, const std::optional<Vec2>& at) {
+  Subject subject;
+  subject.kind = kind;
+  if (!drawing.file.empty()) subject.file = drawing.file;
+  if (at) subject.at = {at->x(), at->y() == 0 ? 0 : -at->y()};
+  return subject;
 }
-
-// Findings are in the file's y-down frame; zero must not become "-0".
-double flipped(double y) { return y == 0 ? 0 : -y; }
 
 }  // namespace
 
-Subject stroke_subject(const Drawing& drawing, Index stroke) {
-  Subject subject;
-  subject.kind = SubjectKind::Stroke;
+Subject stroke_subject(const Drawing& drawing, Index stroke, const std::optional<Vec2>& at) {
+  Subject subject = subject_at(drawing, SubjectKind::Stroke, at);
   subject.id = drawing.strokes[stroke].id;
-  if (!drawing.file.empty()) subject.file = drawing.file;
   subject.line = drawing.strokes[stroke].line;
   return subject;
 }
 
-Subject stroke_subject(const Drawing& drawing, Index stroke, const Vec2& at) {
-  Subject subject = stroke_subject(drawing, stroke);
-  subject.at = {at.x(), flipped(at.y())};
-  return subject;
-}
-
 Subject crossing_subject(const Drawing& drawing, const Vec2& at) {
-  Subject subject;
-  subject.kind = SubjectKind::Crossing;
-  if (!drawing.file.empty()) subject.file = drawing.file;
-  subject.at = {at.x(), flipped(at.y())};
-  return subject;
+  return subject_at(drawing, SubjectKind::Crossing, at);
 }
 
 std::string in_quotes(const Drawing& drawing, Index stroke) { return "\"" + drawing.strokes[stroke].id + "\""; }
@@ -55,6 +43,10 @@ Finding too_short(const Drawing& drawing, Index stroke) {
                       {stroke_subject(drawing, stroke)});
 }
 
-std::string length_text(double length) { return number_text(length, 4); }
+std::string length_text(double length) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::general, 4).ptr;
+  return {text.data(), end};
+}
 
 }  // namespace croquis::silhouette

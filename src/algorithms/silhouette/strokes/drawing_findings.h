@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "croquis/base/finding.h"
@@ -9,8 +10,7 @@
 /// Subjects and phrases of findings about a drawing. Places are in the input's own frame: y down.
 namespace croquis::silhouette {
 
-Subject stroke_subject(const Drawing& drawing, Index stroke);
-Subject stroke_subject(const Drawing& drawing, Index stroke, const Vec2& at);
+Subject stroke_subject(const Drawing& drawing, Index stroke, const std::optional<Vec2>& at = std::nullopt);
 Subject crossing_subject(const Drawing& drawing, const Vec2& at);
 
 /// The stroke's id in quotes.

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/line_conflicts.h"
 #include "algorithms/silhouette/strokes/tremble.h"
 
 namespace croquis::silhouette {
@@ -24,123 +23,71 @@ constexpr double extension = 1.5;
 constexpr double least_junction_spacing = 0.3;
 // A line that passes behind itself doesn't do so within so many steps of its end.
 constexpr double own_end = 4;
+// A hidden stroke begins no farther from the end that it goes on from than this share of its own length, or the gap
+// that is closed between visible strokes.
+constexpr double farthest_share = 0.15;
 
-/// Where the end of a line meets its bar.
-struct BarHit {
-  double along = 0;  ///< arc length from the end: negative on the line (overshoot), positive ahead of it
-  Vec2 at = Vec2::Zero();
-};
-
-using EndHits = std::vector<std::array<std::optional<BarHit>, 2>>;
-
-/// A line passes behind its own other parts, not behind its end.
-bool is_own_end(const CleanLine& line, bool at_start, Index position, double clear) {
-  double length = 0;
-  const Index count = line.segment_count();
-  for (Index i = 0; i < count && length < clear; ++i) {
-    const Index segment = at_start ? i : count - 1 - i;
-    if (segment == position) return true;
-    length += (line.points[segment + 1] - line.points[segment]).norm();
-  }
-  return false;
+/// The segments of its bar, from the first to before the second, that the end of a line may lie on: a line passes
+/// behind its own other parts, not behind the bit of this length at its end.
+std::array<Index, 2> segments_to_meet(const CleanLine& bar, bool is_own, bool at_start, double own_bit) {
+  std::array<Index, 2> range{0, bar.segment_count()};
+  if (!is_own) return range;
+  const double place = parameter_along(bar.points, at_start, own_bit);
+  range[at_start ? 0 : 1] = static_cast<Index>(at_start ? std::ceil(place) : std::floor(place));
+  return range;
 }
 
-/// The place on its bar that is nearest to where an end was seen to meet it: what its last bit crosses, what lies ahead
-/// of it, or what lies beside it.
-std::optional<BarHit> hit_of(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
+/// The place on its bar that is nearest to where an end was seen to meet it.
+std::optional<EndHit> hit_of(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
                              double step) {
   Points own = lines[line].points;
-  if (!at_start) std::reverse(own.begin(), own.end());
+  if (!at_start) std::ranges::reverse(own);
   const double far = std::max(3 * target.miss, own_end * step);
-  const Vec2 ahead = own.front() + far * end_tangent(own, true, tangent_steps * step);
+  const std::array heading{end_tangent(own, true, tangent_steps * step)};
   const CleanLine& bar = lines[target.bar];
-  std::optional<BarHit> best;
+  const auto [first, last] = segments_to_meet(bar, target.bar == line, at_start, far);
+  std::optional<EndHit> best;
   double least = std::numeric_limits<double>::infinity();
-  for (Index i = 0; i < bar.segment_count(); ++i) {
-    if (target.bar == line && is_own_end(bar, at_start, i, far)) continue;
-    const Vec2& a = bar.points[i];
-    const Vec2& b = bar.points[(i + 1) % bar.points.size()];
-    const auto consider = [&](double along, const Vec2& at, double more) {
-      const double distance = (at - target.at).norm() + more;
-      if (distance >= least) return;
+  for (Index i = first; i < last; ++i) {
+    for (const EndHit& hit : end_hits(own, heading, far, bar.points[i], bar.points[(i + 1) % bar.points.size()])) {
+      double distance = (hit.at - target.at).norm();
+      if (hit.way == EndHit::Way::Ahead) distance += step / 2;
+      if (hit.way == EndHit::Way::Beside) distance += step + hit.along;
+      if (distance >= least) continue;
       least = distance;
-      best = BarHit{along, at};
-    };
-    double walked = 0;
-    for (std::size_t k = 0; k + 1 < own.size() && walked < far; ++k) {
-      const Vec2 piece = own[k + 1] - own[k];
-      if (cross_properly(own[k], own[k + 1], a, b)) {
-        const double fraction = crossing_fraction(own[k], own[k + 1], a, b);
-        consider(-(walked + fraction * piece.norm()), own[k] + fraction * piece, 0);
-      }
-      walked += piece.norm();
+      best = hit;
     }
-    if (cross_properly(own.front(), ahead, a, b)) {
-      const double fraction = crossing_fraction(own.front(), ahead, a, b);
-      consider(fraction * far, own.front() + fraction * (ahead - own.front()), step / 2);
-    }
-    const Vec2 nearest = a + nearest_parameter(own.front(), a, b) * (b - a);
-    consider((nearest - own.front()).norm(), nearest, step + (nearest - own.front()).norm());
   }
   return best;
 }
 
-void reverse(CleanLine& line) {
-  std::reverse(line.points.begin(), line.points.end());
-  std::reverse(line.stroke.begin(), line.stroke.end());
-  std::reverse(line.raw.begin(), line.raw.end());
-}
-
 /// Makes the last sample of a line the place of a hit.
-void move_end(CleanLine& line, const BarHit& hit, double step) {
+void move_end(CleanLine& line, const EndHit& hit, double step) {
   const Index stroke = line.stroke.back();
-  const auto drop_last = [&line] {
-    line.points.pop_back();
-    line.raw.pop_back();
-    line.stroke.pop_back();
-  };
-  double excess = -hit.along;
-  while (excess > 0 && line.points.size() > 2) {
-    const double length = (line.points.back() - line.points[line.points.size() - 2]).norm();
-    if (length > excess) break;
-    excess -= length;
-    drop_last();
-  }
-  if (excess > 0) drop_last();
-  while (line.points.size() > 1 && (line.points.back() - hit.at).norm() < least_junction_spacing * step) drop_last();
+  auto kept = static_cast<Index>(line.points.size());
+  if (hit.along < 0) kept = static_cast<Index>(std::ceil(parameter_along(line.points, false, -hit.along)));
+  while (kept > 1 && (line.points[kept - 1] - hit.at).norm() < least_junction_spacing * step) --kept;
+  line.keep(0, std::max<Index>(kept, 1));
   line.points.push_back(hit.at);
   line.raw.push_back(hit.at);
   line.stroke.push_back(stroke);
 }
 
-/// Where on its bar an end lies that has met it.
-double bar_parameter(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
-                     double step) {
-  const CleanLine& bar = lines[target.bar];
-  double least = std::numeric_limits<double>::infinity();
-  double found = 0;
-  for (Index i = 0; i < bar.segment_count(); ++i) {
-    if (target.bar == line && is_own_end(bar, at_start, i, own_end * step)) continue;
-    const Vec2& a = bar.points[i];
-    const Vec2& b = bar.points[(i + 1) % bar.points.size()];
-    const double fraction = nearest_parameter(target.at, a, b);
-    const double distance = (a + fraction * (b - a) - target.at).norm();
-    if (distance >= least) continue;
-    least = distance;
-    found = i + std::min(fraction, 1 - 1e-9);
-  }
-  return found;
+Vec2 bar_direction(const std::vector<CleanLine>& lines, const HiddenEnd& end) {
+  const Points& bar = lines[end.bar].points;
+  const auto segment = static_cast<std::size_t>(end.bar_parameter);
+  return (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
 }
 
 /// The junction of a line that ends on its bar.
 HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_start, const EndTarget& target,
                    const DrawingScale& scale) {
-  const double parameter = bar_parameter(lines, line, at_start, target, scale.step);
+  const CleanLine& bar = lines[target.bar];
+  const auto [first, last] = segments_to_meet(bar, target.bar == line, at_start, own_end * scale.step);
+  const double parameter = nearest_on_line(bar.points, target.at, first, last);
   HiddenEnd end{line,       at_start, target.bar, parameter, target.at, end_direction(lines[line], at_start, scale),
                 target.side};
-  const Points& bar = lines[target.bar].points;
-  const auto segment = static_cast<std::size_t>(parameter);
-  const Vec2 direction = (bar[(segment + 1) % bar.size()] - bar[segment]).normalized();
+  const Vec2 direction = bar_direction(lines, end);
   if (end.bar_side * cross(direction, end.tangent) >= least_junction_sine) return end;
   const double ahead = end.tangent.dot(direction) >= 0 ? 1 : -1;
   end.tangent = ahead * std::sqrt(1 - least_junction_sine * least_junction_sine) * direction +
@@ -148,40 +95,56 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   return end;
 }
 
-Index end_of_piece(const HiddenPiece::End& piece, const Junctions& junctions) {
-  const auto found = std::find_if(junctions.ends.begin(), junctions.ends.end(), [&](const HiddenEnd& end) {
-    return end.line == piece.line && end.at_start == piece.at_start;
-  });
-  return found == junctions.ends.end() ? no_index : static_cast<Index>(found - junctions.ends.begin());
-}
-
-/// The ends of a known piece leave along it.
-void follow(const Points& piece, double distance, const std::vector<CleanLine>& lines, HiddenEnd& end) {
-  double walked = 0;
-  std::size_t i = 1;
-  while (i + 1 < piece.size() && walked + (piece[i] - piece[i - 1]).norm() < distance) {
-    walked += (piece[i] - piece[i - 1]).norm();
-    ++i;
-  }
-  const Vec2 step = piece[i] - piece[i - 1];
-  const Vec2 ahead = piece[i - 1] + std::min(1.0, (distance - walked) / step.norm()) * step;
-  end.tangent = (ahead - end.at).normalized();
-  const Points& bar = lines[end.bar].points;
-  const auto segment = static_cast<std::size_t>(end.bar_parameter);
-  end.bar_side = cross(bar[(segment + 1) % bar.size()] - bar[segment], end.tangent) >= 0 ? 1 : -1;
-}
-
-/// Hands the known hidden pieces to the ends that they join; one whose end isn't hidden after all is left out.
-void give_pieces(std::vector<HiddenPiece> pieces, const std::vector<CleanLine>& lines, const DrawingScale& scale,
-                 Junctions& junctions) {
-  const double ahead = extension * scale.unit;
-  for (HiddenPiece& piece : pieces) {
-    const Index from = end_of_piece(piece.from, junctions);
-    const Index to = end_of_piece(piece.to, junctions);
-    if (from == no_index || to == no_index || from == to) continue;
-    follow(piece.points, ahead, lines, junctions.ends[from]);
-    follow(Points(piece.points.rbegin(), piece.points.rend()), ahead, lines, junctions.ends[to]);
-    junctions.given.push_back({from, to, std::move(piece.points), std::move(piece.stroke)});
+/// Hands the strokes that are told to be hidden to the ends that they join. Those leave along them.
+void give_pieces(const Drawing& drawing, const std::vector<SampledStroke>& hidden, const std::vector<CleanLine>& lines,
+                 const DrawingScale& scale, Junctions& junctions) {
+  std::vector<char> taken(junctions.ends.size(), 0);
+  const auto nearest_end = [&](const Vec2& place, double farthest, Index other) {
+    Index found = no_index;
+    for (Index e = 0; e < junctions.ends.size(); ++e) {
+      const double distance = (junctions.ends[e].at - place).norm();
+      if (distance > farthest || e == other || taken[e] != 0) continue;
+      farthest = distance;
+      found = e;
+    }
+    return found;
+  };
+  const auto refuse = [&](const SampledStroke& stroke, const std::string& why, const Vec2& at) {
+    junctions.findings.push_back({make_error(Category::Geometry, "E_HIDDEN_STROKE",
+                                             "The hidden stroke " + in_quotes(drawing, stroke.stroke) + " " + why,
+                                             {stroke_subject(drawing, stroke.stroke, at)}),
+                                  {}});
+  };
+  for (const SampledStroke& stroke : hidden) {
+    Points points = even_points(stroke.points, false, std::min(scale.step, stroke.length / 4));
+    if (stroke.closed) {
+      refuse(stroke, "is closed: draw it from where a line passes behind something to where it comes out",
+             points.front());
+      continue;
+    }
+    const double farthest = std::max(scale.gap, farthest_share * stroke.length);
+    const Index from = nearest_end(points.front(), farthest, no_index);
+    const Index to = nearest_end(points.back(), farthest, from);
+    if (from == no_index || to == no_index) {
+      refuse(stroke, "begins or ends where no line does that it could go on from: draw it up to one",
+             from == no_index ? points.front() : points.back());
+      continue;
+    }
+    const Vec2 at_first = junctions.ends[from].at - points.front();
+    const Vec2 at_last = junctions.ends[to].at - points.back();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(points.size() - 1);
+      points[i] += (1 - share) * at_first + share * at_last;
+    }
+    for (const Index e : {from, to}) {
+      HiddenEnd& end = junctions.ends[e];
+      taken[e] = 1;
+      const Vec2 ahead = point_at(points, parameter_along(points, e == from, extension * scale.unit));
+      end.tangent = (ahead - end.at).normalized();
+      end.bar_side = cross(bar_direction(lines, end), end.tangent) >= 0 ? 1 : -1;
+    }
+    std::vector<Index> strokes(points.size(), stroke.stroke);
+    junctions.given.push_back({from, to, std::move(points), std::move(strokes)});
   }
 }
 
@@ -194,20 +157,18 @@ LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index,
 
 LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& lines, Index bar,
                       const std::vector<HiddenEnd>& stems) {
-  LineFinding result;
-  result.lines = {bar};
-  std::vector<Subject> subjects;
   const HiddenEnd& first = stems.front();
   const Index on_bar = lines[bar].stroke[static_cast<std::size_t>(first.bar_parameter)];
-  subjects.push_back(stroke_subject(drawing, on_bar, first.at));
+  std::vector<Subject> subjects{stroke_subject(drawing, on_bar, first.at)};
+  std::vector<Index> all{bar};
   for (const HiddenEnd& stem : stems) {
     subjects.push_back(stroke_subject(drawing, lines[stem.line].end_stroke(stem.at_start), stem.at));
-    result.lines.push_back(stem.line);
+    all.push_back(stem.line);
   }
-  result.finding = no_solid(
-      "lines pass behind " + in_quotes(drawing, on_bar) + " on both of its sides, of which only one can be its surface",
-      std::move(subjects));
-  return result;
+  return {no_solid("lines pass behind " + in_quotes(drawing, on_bar) +
+                       " on both of its sides, of which only one can be its surface",
+                   std::move(subjects)),
+          std::move(all)};
 }
 
 /// Williams' rule: a stem goes under its bar, so the bar's surface lies where the stem is heading.
@@ -217,9 +178,7 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
   for (Index bar = 0; bar < lines.size(); ++bar) {
     if (stems[bar].empty()) continue;
     const int side = junctions.sides[bar] != 0 ? junctions.sides[bar] : stems[bar].front().bar_side;
-    const bool agreed = std::all_of(stems[bar].begin(), stems[bar].end(),
-                                    [side](const HiddenEnd& stem) { return stem.bar_side == side; });
-    if (agreed) {
+    if (std::ranges::all_of(stems[bar], [side](const HiddenEnd& stem) { return stem.bar_side == side; })) {
       junctions.sides[bar] = side;
     } else {
       junctions.findings.push_back(two_sided(drawing, lines, bar, stems[bar]));
@@ -230,32 +189,31 @@ void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, J
 }  // namespace
 
 void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const DrawingScale& scale) {
-  std::vector<std::array<std::optional<BarHit>, 2>> hits(lines.size());
+  std::vector<std::array<std::optional<EndHit>, 2>> hits(targets.size());
   for (Index line = 0; line < targets.size(); ++line) {
-    for (const bool at_start : {true, false}) {
-      std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
-      if (!target) continue;
-      hits[line][at_start ? 0 : 1] = hit_of(lines, line, at_start, *target, scale.step);
-      if (!hits[line][at_start ? 0 : 1]) target.reset();
+    for (const Index k : {0U, 1U}) {
+      std::optional<EndTarget>& target = targets[line][k];
+      if (target) hits[line][k] = hit_of(lines, line, k == 0, *target, scale.step);
+      if (!hits[line][k]) target.reset();
     }
   }
+  // All hits are found before any line changes.
   for (Index line = 0; line < targets.size(); ++line) {
-    for (const bool at_start : {false, true}) {
-      const std::optional<BarHit>& hit = hits[line][at_start ? 0 : 1];
+    for (const Index k : {1U, 0U}) {
+      const std::optional<EndHit>& hit = hits[line][k];
       if (!hit) continue;
-      if (at_start) reverse(lines[line]);
+      if (k == 0) lines[line].reverse();
       move_end(lines[line], *hit, scale.step);
-      if (at_start) reverse(lines[line]);
-      EndTarget& target = *targets[line][at_start ? 0 : 1];
-      target.at = hit->at;
-      target.miss = 0;
+      if (k == 0) lines[line].reverse();
+      targets[line][k]->at = hit->at;
+      targets[line][k]->miss = 0;
     }
   }
 }
 
 Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
-                         std::vector<HiddenPiece> pieces, const VisibleCrossings& order, const DrawingScale& scale,
-                         const Progress& progress) {
+                         const std::vector<SampledStroke>& hidden, const VisibleCrossings& order,
+                         const DrawingScale& scale, const Progress& progress) {
   Junctions junctions;
   junctions.tremble = scale.tremble;
   junctions.sides = order.sides;
@@ -271,7 +229,7 @@ Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& l
       }
     }
   }
-  give_pieces(std::move(pieces), lines, scale, junctions);
+  give_pieces(drawing, hidden, lines, scale, junctions);
   decide_sides(drawing, lines, junctions);
   LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, order, scale, progress);
   std::move(conflicts.begin(), conflicts.end(), std::back_inserter(junctions.findings));
@@ -283,17 +241,6 @@ void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenE
     const Vec2 behind = end.at + extension * scale.unit * end.tangent;
     (end.at_start ? lines[end.line].points.front() : lines[end.line].points.back()) = behind;
   }
-}
-
-std::vector<Index> bodies_of_limbs(const Junctions& junctions, std::size_t line_count) {
-  std::vector<Index> bodies(line_count, no_index);
-  // Ends are sorted by line: those of one line are neighbours.
-  for (std::size_t e = 0; e + 1 < junctions.ends.size(); ++e) {
-    const HiddenEnd& start = junctions.ends[e];
-    const HiddenEnd& end = junctions.ends[e + 1];
-    if (start.line == end.line && start.bar == end.bar && start.bar != start.line) bodies[start.line] = start.bar;
-  }
-  return bodies;
 }
 
 }  // namespace croquis::silhouette

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
@@ -35,7 +36,7 @@ struct Junctions {
   std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
   std::vector<GivenPiece> given;
   double tremble = 0;     ///< of the hand, see `tremble_of`
-  LineFindings findings;  ///< E_NO_LABELLING, E_CROSS, E_TOUCH
+  LineFindings findings;  ///< E_NO_LABELLING, E_CROSS, E_TOUCH; E_HIDDEN_STROKE of those that join no two ends
 };
 
 /// Where the end of a line is to meet another one.
@@ -54,17 +55,14 @@ void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const Drawing
 
 /// What every open end passes behind, and where the surfaces of bars lie (Cordier, Seo, Cho 2006, section 3; the side
 /// rule is Williams 1994).
-/// @param lines   have met their bars and end on them; `extend_behind_bars` carries them on
-/// @param pieces between ends of the lines
+/// @param lines  have met their bars and end on them; `extend_behind_bars` carries them on
+/// @param hidden strokes that are told to be hidden (stroke_data.h): each is the hidden contour between the two ends
+/// that are nearest to its own, and is moved so that it begins and ends there
 Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
-                         std::vector<HiddenPiece> pieces, const VisibleCrossings& order, const DrawingScale& scale,
-                         const Progress& progress);
+                         const std::vector<SampledStroke>& hidden, const VisibleCrossings& order,
+                         const DrawingScale& scale, const Progress& progress);
 
 /// Carries each stem a little past its bar, so that the two cross instead of touching.
 void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);
-
-/// Per line the one that both of its ends pass behind, such as a limb's body; no_index for other lines, and for those
-/// that pass behind themselves.
-std::vector<Index> bodies_of_limbs(const Junctions& junctions, std::size_t line_count);
 
 }  // namespace croquis::silhouette

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -75,6 +76,39 @@ std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, d
   return parameters;
 }
 
+Points even_points(std::span<const Vec2> points, bool closed, double spacing) {
+  Points even;
+  for (const double parameter : even_parameters(points, closed, spacing)) even.push_back(point_at(points, parameter));
+  return even;
+}
+
+double parameter_along(std::span<const Vec2> points, bool from_start, double distance) {
+  const std::size_t last = points.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::size_t segment = from_start ? i : last - 1 - i;
+    const double length = (points[segment + 1] - points[segment]).norm();
+    if (length > distance)
+      return static_cast<double>(from_start ? i : last - i) + (from_start ? 1 : -1) * distance / length;
+    distance -= length;
+  }
+  return from_start ? static_cast<double>(last) : 0;
+}
+
+double nearest_on_line(std::span<const Vec2> points, const Vec2& place, Index first, Index last) {
+  double least = std::numeric_limits<double>::infinity();
+  double found = first;
+  for (Index i = first; i < last; ++i) {
+    const Vec2& a = points[i];
+    const Vec2& b = points[(i + 1) % points.size()];
+    const double fraction = nearest_parameter(place, a, b);
+    const double distance = (a + fraction * (b - a) - place).norm();
+    if (distance >= least) continue;
+    least = distance;
+    found = i + std::min(fraction, 1 - 1e-9);
+  }
+  return found;
+}
+
 std::vector<Index> corners(std::span<const Vec2> points, bool closed, double reach) {
   const auto count = static_cast<Index>(points.size());
   if (count < 3) return {};
@@ -93,6 +127,30 @@ std::vector<Index> corners(std::span<const Vec2> points, bool closed, double rea
     if (sharpest) found.push_back(i);
   }
   return found;
+}
+
+std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> headings, double reach, const Vec2& a,
+                             const Vec2& b) {
+  const Vec2& end = back.front();
+  std::vector<EndHit> hits;
+  double walked = 0;
+  for (std::size_t k = 0; k + 1 < back.size() && walked < reach; ++k) {
+    const Vec2 piece = back[k + 1] - back[k];
+    if (cross_properly(back[k], back[k + 1], a, b)) {
+      const double fraction = crossing_fraction(back[k], back[k + 1], a, b);
+      hits.push_back({EndHit::Way::Across, -(walked + fraction * piece.norm()), back[k] + fraction * piece});
+    }
+    walked += piece.norm();
+  }
+  for (const Vec2& heading : headings) {
+    const Vec2 ahead = end + reach * heading;
+    if (!cross_properly(end, ahead, a, b)) continue;
+    const double fraction = crossing_fraction(end, ahead, a, b);
+    hits.push_back({EndHit::Way::Ahead, fraction * reach, end + fraction * (ahead - end)});
+  }
+  const Vec2 nearest = a + nearest_parameter(end, a, b) * (b - a);
+  hits.push_back({EndHit::Way::Beside, (nearest - end).norm(), nearest});
+  return hits;
 }
 
 double size_of(std::span<const Vec2> points, bool closed) {

@@ -31,6 +31,17 @@ Vec2 point_at(std::span<const Vec2> points, double parameter);
 std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, double spacing,
                                     std::span<const Index> fixed = {});
 
+/// Those places themselves.
+Points even_points(std::span<const Vec2> points, bool closed, double spacing);
+
+/// Parameter of the place so far along an open line from its start, or back from its end; its other end where the line
+/// is shorter.
+double parameter_along(std::span<const Vec2> points, bool from_start, double distance);
+
+/// Parameter of the place that is nearest to another one, within the segments from `first` to before `last`. Of a
+/// closed line the last segment leads back to the first point.
+double nearest_on_line(std::span<const Vec2> points, const Vec2& place, Index first, Index last);
+
 /// Points where the line turns by more than 60 degrees within `reach` to either side: the sharpest of each bend.
 std::vector<Index> corners(std::span<const Vec2> points, bool closed, double reach);
 
@@ -43,6 +54,22 @@ inline bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Ve
 inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return cross(c - a, d - c) / cross(b - a, d - c);
 }
+
+/// A way in which the end of a line may meet a segment.
+struct EndHit {
+  enum class Way { Across, Ahead, Beside };  ///< the line runs across it, heads for it, ends near it
+
+  Way way = Way::Beside;
+  double along = 0;  ///< from the end to the place: negative where that lies on the line
+  Vec2 at = Vec2::Zero();
+};
+
+/// All ways in which the end of a line may meet the segment a–b; last the nearest place, however far it is.
+/// @param back     the line, its end first
+/// @param headings unit directions in which it may go on
+/// @param reach    how far the line is looked at, back and ahead
+std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> headings, double reach, const Vec2& a,
+                             const Vec2& b);
 
 /// How large a line is, however it is turned and sampled: the length of the straight line that is spread as widely
 /// about its middle (has the same radius of gyration). A circle's is 1.2 times the diagonal of its bounding box.

@@ -28,29 +28,20 @@ constexpr double round_factor = 1.5;
 /// Samples of an outline that are measured: enough for its shape.
 constexpr std::size_t measured_samples = 64;
 
-/// About as many samples as are measured, evenly taken.
-Points thinned_outline(const Points& points) {
-  const std::size_t step = std::max<std::size_t>(1, points.size() / measured_samples);
-  Points some;
-  for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
-  return some;
-}
-
-double distance_to_loop(const Vec2& place, const Points& loop) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    least = std::min(least, (a + nearest_parameter(place, a, b) * (b - a) - place).squaredNorm());
-  }
-  return std::sqrt(least);
-}
-
 /// Widths of the ring between an outline and the one around it, ascending.
 std::vector<double> ring_widths(const Points& inner, const Points& outer) {
+  const std::size_t step = std::max<std::size_t>(1, inner.size() / measured_samples);
   std::vector<double> widths;
-  for (const Vec2& place : thinned_outline(inner)) widths.push_back(distance_to_loop(place, outer));
-  std::sort(widths.begin(), widths.end());
+  for (std::size_t i = 0; i < inner.size(); i += step) {
+    double width = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+      const Vec2& a = outer[k];
+      const Vec2& b = outer[(k + 1) % outer.size()];
+      width = std::min(width, (a + nearest_parameter(inner[i], a, b) * (b - a) - inner[i]).norm());
+    }
+    widths.push_back(width);
+  }
+  std::ranges::sort(widths);
   return widths;
 }
 

@@ -1,26 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/strokes/segment_grid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace croquis::silhouette {
+namespace {
+
+Vec2 nearest_on_segment(const Vec2& place, const GridSegment& segment) {
+  return segment.a + nearest_parameter(place, segment.a, segment.b) * (segment.b - segment.a);
+}
+
+/// An end of one of two segments that is nearer than `reach` to the other one.
+std::optional<Vec2> touching_end(const GridSegment& a, const GridSegment& b, double reach) {
+  const bool neighbours = a.line == b.line && (a.b == b.a || b.b == a.a);
+  if (neighbours || !(reach > 0)) return std::nullopt;
+  for (const auto& [end, other] : {std::pair(a.a, &b), {a.b, &b}, {b.a, &a}, {b.b, &a}}) {
+    if ((nearest_on_segment(end, *other) - end).norm() < reach) return end;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 SegmentGrid::SegmentGrid(std::vector<GridSegment> segments, double cell, double margin)
     : segments_(std::move(segments)), cell_(cell) {
-  Vec2 high = Vec2::Zero();
-  if (!segments_.empty()) origin_ = high = segments_.front().a;
-  for (const GridSegment& segment : segments_) {
-    origin_ = origin_.cwiseMin(segment.a).cwiseMin(segment.b);
-    high = high.cwiseMax(segment.a).cwiseMax(segment.b);
-  }
-  const Vec2 extent = high - origin_;
+  Eigen::AlignedBox2d box;
+  for (const GridSegment& segment : segments_) box.extend(segment.a).extend(segment.b);
+  if (box.isEmpty()) box.extend(Vec2(0, 0));
+  origin_ = box.min();
+  const Vec2 extent = box.sizes();
   const double most_cells = 4.0 * static_cast<double>(segments_.size()) + 16;
   while ((extent.x() / cell_ + 1) * (extent.y() / cell_ + 1) > most_cells) cell_ *= 2;
   columns_ = static_cast<std::int64_t>(extent.x() / cell_) + 1;
   rows_ = static_cast<std::int64_t>(extent.y() / cell_) + 1;
-  fill(margin);
+  cells_.resize(static_cast<std::size_t>(columns_ * rows_));
+  const Vec2 reach = Vec2::Constant(margin);
+  for (Index i = 0; i < segments_.size(); ++i) {
+    const auto& [a, b, line, position] = segments_[i];
+    for_cells(range(a.cwiseMin(b) - reach, a.cwiseMax(b) + reach), [&](std::size_t k) { cells_[k].push_back(i); });
+  }
 }
 
 SegmentGrid::Range SegmentGrid::range(const Vec2& low, const Vec2& high) const {
@@ -32,39 +53,14 @@ SegmentGrid::Range SegmentGrid::range(const Vec2& low, const Vec2& high) const {
           index(high.x(), origin_.x(), columns_), index(high.y(), origin_.y(), rows_)};
 }
 
-void SegmentGrid::fill(double margin) {
-  start_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-  ranges_.reserve(segments_.size());
-  const Vec2 reach = Vec2::Constant(margin);
-  for (const GridSegment& segment : segments_) {
-    ranges_.push_back(range(segment.a.cwiseMin(segment.b) - reach, segment.a.cwiseMax(segment.b) + reach));
-  }
-  const auto for_cells = [this](const Range& cells, auto&& visit) {
-    for (std::int64_t y = cells.y0; y <= cells.y1; ++y) {
-      for (std::int64_t x = cells.x0; x <= cells.x1; ++x) visit(static_cast<std::size_t>(y * columns_ + x));
-    }
-  };
-  for (const Range& cells : ranges_) {
-    for_cells(cells, [this](std::size_t cell) { ++start_[cell + 1]; });
-  }
-  for (std::size_t cell = 1; cell < start_.size(); ++cell) start_[cell] += start_[cell - 1];
-  entries_.resize(start_.back());
-  std::vector<Index> next(start_.begin(), start_.end() - 1);
-  for (Index i = 0; i < segments_.size(); ++i) {
-    for_cells(ranges_[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
-  }
-}
-
-void SegmentGrid::collect(const Vec2& low, const Vec2& high, std::vector<Index>& found) const {
-  const Range cells = range(low, high);
-  for (std::int64_t y = cells.y0; y <= cells.y1; ++y) {
-    for (std::int64_t x = cells.x0; x <= cells.x1; ++x) {
-      const auto cell = static_cast<std::size_t>(y * columns_ + x);
-      found.insert(found.end(), entries_.begin() + start_[cell], entries_.begin() + start_[cell + 1]);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+std::optional<SegmentGrid::Place> SegmentGrid::nearest(const Vec2& place, double reach) const {
+  std::optional<Place> best;
+  near_box(place - Vec2::Constant(reach), place + Vec2::Constant(reach), [&](Index i) {
+    const Vec2 at = nearest_on_segment(place, segments_[i]);
+    const double distance = (at - place).norm();
+    if (distance < (best ? best->distance : reach)) best = {i, at, distance};
+  });
+  return best;
 }
 
 std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines) {
@@ -76,6 +72,27 @@ std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines) {
     }
   }
   return segments;
+}
+
+std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach) {
+  std::vector<SegmentContact> found;
+  const auto compare = [&](const GridSegment& a, const GridSegment& b) {
+    if (cross_properly(a.a, a.b, b.a, b.b)) {
+      const double along_a = crossing_fraction(a.a, a.b, b.a, b.b), along_b = crossing_fraction(b.a, b.b, a.a, a.b);
+      found.push_back({a, b, a.a + along_a * (a.b - a.a), orientation(a.a, a.b, b.b), along_a, along_b});
+    } else if (const std::optional<Vec2> at = touching_end(a, b, reach)) {
+      found.push_back({a, b, *at});
+    }
+  };
+  const std::vector<GridSegment>& segments = grid.segments();
+  for (Index i = 0; i < segments.size(); ++i) {
+    const Vec2 low = segments[i].a.cwiseMin(segments[i].b).array() - reach;
+    const Vec2 high = segments[i].a.cwiseMax(segments[i].b).array() + reach;
+    grid.near_box(low, high, [&](Index j) {
+      if (j > i) compare(segments[i], segments[j]);
+    });
+  }
+  return found;
 }
 
 }  // namespace croquis::silhouette

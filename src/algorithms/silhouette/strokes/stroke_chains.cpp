@@ -2,8 +2,7 @@
 #include "algorithms/silhouette/strokes/stroke_chains.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <span>
 
 namespace croquis::silhouette {
 namespace {
@@ -19,35 +18,24 @@ constexpr double direction_ratio = 2;
 // Two directions that differ by more than 60 degrees make a corner, which isn't bent.
 constexpr double corner_cosine = 0.5;
 
-/// The samples of a line while strokes are added to it.
-struct Growing {
-  Points points;
-  std::vector<Index> stroke;
-
-  void drop_last() {
-    points.pop_back();
-    stroke.pop_back();
-  }
-};
-
 /// Drops samples at the end that lie beyond the place where the line goes on.
-void trim_overlap(Growing& line, const Vec2& next, double reach) {
+void trim_overlap(CleanLine& line, const Vec2& next, double reach) {
   if (line.points.size() < 3) return;
   const Vec2 outward = end_chord(line.points, false, reach);
-  while (line.points.size() > 2 && (next - line.points.back()).dot(outward) < 0 &&
-         (next - line.points.back()).norm() < reach) {
-    line.drop_last();
+  auto count = static_cast<Index>(line.points.size());
+  while (count > 2 && (next - line.points[count - 1]).dot(outward) < 0 &&
+         (next - line.points[count - 1]).norm() < reach) {
+    --count;
   }
+  line.keep(0, count);
 }
 
 /// Moves samples from one end on by less and less.
-void bend(Points& points, bool at_start, const Vec2& by, double reach) {
-  const std::size_t count = points.size();
-  const Vec2 end = at_start ? points.front() : points.back();
+void bend(std::span<Vec2> points, bool at_start, const Vec2& by, double reach) {
   double distance = 0;
-  Vec2 before = end;
-  for (std::size_t i = 0; i < count && distance < reach; ++i) {
-    Vec2& point = points[at_start ? i : count - 1 - i];
+  Vec2 before = at_start ? points.front() : points.back();
+  for (std::size_t i = 0; i < points.size() && distance < reach; ++i) {
+    Vec2& point = points[at_start ? i : points.size() - 1 - i];
     distance += (point - before).norm();
     before = point;
     const double share = std::clamp(1 - distance / reach, 0.0, 1.0);
@@ -57,7 +45,7 @@ void bend(Points& points, bool at_start, const Vec2& by, double reach) {
 
 /// Brings the end of one line and the start of another (or of the same) opposite each other.
 /// @param length of the shorter one
-void bend_together(Points& ending, Points& starting, double length) {
+void bend_together(std::span<Vec2> ending, std::span<Vec2> starting, double length) {
   const Vec2 miss = starting.front() - ending.back();
   const double reach = std::max(direction_ratio * miss.norm(), 1e-9 * length);
   const Vec2 on = end_chord(ending, false, reach);
@@ -71,56 +59,34 @@ void bend_together(Points& ending, Points& starting, double length) {
   bend(starting, true, -0.5 * aside, bent);
 }
 
-struct OwnCrossing {
-  std::size_t head = 0;  ///< segments
-  std::size_t tail = 0;
-  Vec2 at = Vec2::Zero();
-};
-
-/// Where the last bit of a line crosses its first bit, the crossing nearest to the start.
-std::optional<OwnCrossing> own_crossing(const Points& points, double reach, double spacing) {
-  const auto count = static_cast<std::size_t>(reach / spacing) + 1;
-  const std::size_t last = points.size() - 1;
-  const std::size_t most = std::min(count, last / 3);
-  for (std::size_t i = 0; i < most; ++i) {
-    for (std::size_t k = last - most; k < last; ++k) {
+/// Closes a line whose last bit crosses its first bit there, at the crossing nearest to the start.
+bool close_at_crossing(CleanLine& line, double reach, double spacing) {
+  const Points& points = line.points;
+  const auto last = static_cast<Index>(points.size() - 1);
+  const Index most = std::min(static_cast<Index>(reach / spacing) + 1, last / 3);
+  for (Index i = 0; i < most; ++i) {
+    for (Index k = last - most; k < last; ++k) {
       if (!cross_properly(points[i], points[i + 1], points[k], points[k + 1])) continue;
-      const double f = crossing_fraction(points[i], points[i + 1], points[k], points[k + 1]);
-      return OwnCrossing{i, k, points[i] + f * (points[i + 1] - points[i])};
+      const double fraction = crossing_fraction(points[i], points[i + 1], points[k], points[k + 1]);
+      const Vec2 at = points[i] + fraction * (points[i + 1] - points[i]);
+      line.keep(i, k + 1);
+      line.points.front() = at;
+      return true;
     }
   }
-  return std::nullopt;
-}
-
-/// Closes a line whose ends run across one another where they cross.
-bool close_at_crossing(Growing& line, double reach, double spacing) {
-  const std::optional<OwnCrossing> crossing = own_crossing(line.points, reach, spacing);
-  if (!crossing) return false;
-  const auto first = static_cast<std::ptrdiff_t>(crossing->head);
-  const auto end = static_cast<std::ptrdiff_t>(crossing->tail) + 1;
-  line.points = Points(line.points.begin() + first, line.points.begin() + end);
-  line.stroke = std::vector<Index>(line.stroke.begin() + first, line.stroke.begin() + end);
-  line.points.front() = crossing->at;
-  return true;
+  return false;
 }
 
 /// Makes the end of a line run into its start.
-void close_line(Growing& line, const DrawingScale& scale) {
+void close_line(CleanLine& line, const DrawingScale& scale) {
   const double length = croquis::length(line.points, false);
-  const bool by_size = scale.aside_share > 0;
-  if (by_size) {
-    const double spacing = length / static_cast<double>(line.points.size() - 1);
-    if (close_at_crossing(line, scale.close_share * length, spacing)) return;
-  }
-  const double reach = std::max(scale.gap, longest_overlap * scale.close_share * length);
-  trim_overlap(line, line.points.front(), by_size ? reach : scale.gap);
-  if (!by_size) return;
-  const std::size_t half = line.points.size() / 2;
-  Points head(line.points.begin(), line.points.begin() + static_cast<std::ptrdiff_t>(half));
-  Points tail(line.points.begin() + static_cast<std::ptrdiff_t>(half), line.points.end());
-  bend_together(tail, head, length / 2);
-  std::copy(head.begin(), head.end(), line.points.begin());
-  std::copy(tail.begin(), tail.end(), line.points.begin() + static_cast<std::ptrdiff_t>(half));
+  if (scale.aside_share <= 0) return trim_overlap(line, line.points.front(), scale.gap);
+  const double spacing = length / static_cast<double>(line.points.size() - 1);
+  if (close_at_crossing(line, scale.close_share * length, spacing)) return;
+  trim_overlap(line, line.points.front(), std::max(scale.gap, longest_overlap * scale.close_share * length));
+  const std::span<Vec2> points(line.points);
+  const std::size_t half = points.size() / 2;
+  bend_together(points.subspan(half), points.first(half), length / 2);
 }
 
 }  // namespace
@@ -138,24 +104,21 @@ std::vector<GridSegment> stroke_segments(const std::vector<SampledStroke>& strok
 CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   CleanLine line;
   line.closed = chain.closed;
-  Growing growing;
   for (const ChainLink& link : chain.links) {
     const SampledStroke& stroke = strokes[link.index];
     Points points = stroke.points;
     if (link.reversed) std::reverse(points.begin(), points.end());
-    if (!growing.points.empty()) {
-      trim_overlap(growing, points.front(), std::max(scale.gap, scale.reach_share * stroke.size));
-      if (scale.aside_share > 0) bend_together(growing.points, points, stroke.length);
+    if (!line.points.empty()) {
+      trim_overlap(line, points.front(), std::max(scale.gap, scale.reach_share * stroke.size));
+      if (scale.aside_share > 0) bend_together(line.points, points, stroke.length);
     }
-    growing.points.insert(growing.points.end(), points.begin(), points.end());
-    growing.stroke.insert(growing.stroke.end(), points.size(), stroke.stroke);
+    line.points.insert(line.points.end(), points.begin(), points.end());
+    line.stroke.insert(line.stroke.end(), points.size(), stroke.stroke);
     line.strokes.push_back(stroke.stroke);
     if (line.object.empty()) line.object = stroke.object;
   }
   const bool drawn_closed = chain.links.size() == 1 && strokes[chain.links.front().index].closed;
-  if (line.closed && !drawn_closed && growing.points.size() > 3) close_line(growing, scale);
-  line.points = std::move(growing.points);
-  line.stroke = std::move(growing.stroke);
+  if (line.closed && !drawn_closed && line.points.size() > 3) close_line(line, scale);
   return line;
 }
 

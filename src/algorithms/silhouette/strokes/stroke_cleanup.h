@@ -15,8 +15,8 @@ inline constexpr double least_typical_size = 150;
 struct SampledDrawing {
   DrawingScale scale;
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
-  std::vector<HiddenStroke> hidden;
-  std::vector<Index> dots;  ///< indices into Drawing::strokes: too short to be a line of anything
+  std::vector<SampledStroke> hidden;   ///< told to be
+  std::vector<Index> dots;             ///< indices into Drawing::strokes: too short to be a line of anything
   int smoothing_passes = 0;
   Findings findings;
 };

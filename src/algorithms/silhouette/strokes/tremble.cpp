@@ -49,49 +49,28 @@ double unevenness(const CleanLine& line, double step) {
 
 /// Outward direction of the straight line through the last `reach` of a line, places near the end counting most.
 Vec2 straight_direction(const Points& points, bool at_start, double reach) {
-  double weights = 0;
-  double first = 0;
-  double second = 0;
-  Vec2 places = Vec2::Zero();
-  Vec2 moments = Vec2::Zero();
+  Eigen::Vector4d sums = Eigen::Vector4d::Zero();  // weighted: of ones, distances, places
+  Vec2 moments = Vec2::Zero();                     // of places by distance
   double distance = 0;
   for (std::size_t i = 0; i < points.size() && distance <= reach; ++i) {
     const Vec2& point = points[at_start ? i : points.size() - 1 - i];
     if (i > 0) distance += (point - points[at_start ? i - 1 : points.size() - i]).norm();
     const double share = std::max(0.0, 1 - distance / reach);
-    const double weight = share * share;
-    weights += weight;
-    first += weight * distance;
-    second += weight * distance * distance;
-    places += weight * point;
-    moments += weight * distance * point;
+    sums += share * share * Eigen::Vector4d(1, distance, point.x(), point.y());
+    moments += share * share * distance * point;
   }
-  const Vec2 inward = weights * moments - first * places;
-  const bool usable = weights * second > first * first && inward.norm() > 0;
-  return usable ? Vec2(-inward.normalized()) : end_chord(points, at_start, reach);
+  const Vec2 inward = sums[0] * moments - sums[1] * sums.tail<2>();
+  return inward.norm() > 0 ? Vec2(-inward.normalized()) : end_chord(points, at_start, reach);
 }
 
 /// The first two segments of a line that cross, far enough from its ends.
 std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, const DrawingScale& scale) {
-  const SegmentGrid grid(line_segments({line}), scale.step);
   const double clear = line.closed ? 0 : free_reach * scale.reach(line.size) / scale.step;
-  std::optional<std::pair<Index, Index>> first;
-  grid.pairs([&](Index i, Index k) {
-    const GridSegment& a = grid.segments()[i];
-    const GridSegment& b = grid.segments()[k];
-    const auto [lower, upper] = std::minmax(a.position, b.position);
-    if (lower < clear || line.segment_count() - upper < clear || (first && first->first <= lower)) return;
-    if (cross_properly(a.a, a.b, b.a, b.b)) first = {lower, upper};
-  });
-  return first;
-}
-
-/// What a line has per point.
-template <typename Change>
-void for_each_list(CleanLine& line, Change change) {
-  change(line.points);
-  change(line.raw);
-  change(line.stroke);
+  for (const auto& contact : find_contacts(SegmentGrid(line_segments({line}), scale.step))) {
+    const Index first = contact.a.position, second = contact.b.position;
+    if (first >= clear && line.segment_count() - second >= clear) return std::pair(first, second);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -136,18 +115,22 @@ std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
       return {};
     }
     const auto first = static_cast<std::ptrdiff_t>(i) + 1, last = static_cast<std::ptrdiff_t>(k) + 1;
-    const double loop = signed_area(std::span(line.points).subspan(i + 1, k - i)), whole = signed_area(line.points);
-    for_each_list(line, [&](auto& values) {
+    const double loop = signed_area(std::span(line.points).subspan(i + 1, k - i)),
+                 rest = signed_area(line.points) - loop;
+    const auto lead_apart = [&](auto& values) {
       // What goes round the other way is a side that came over its opposite one: the other way round it doesn't cross.
-      if (loop * (whole - loop) < 0) {
+      if (loop * rest < 0) {
         std::reverse(values.begin() + first, values.begin() + last);
-      } else if (line.closed && std::abs(loop) > std::abs(whole - loop)) {  // of a curl only the larger loop is seen
+      } else if (line.closed && std::abs(loop) > std::abs(rest)) {  // of a curl only the larger loop is seen
         values.erase(values.begin() + last, values.end());
         values.erase(values.begin(), values.begin() + first);
       } else {
         values.erase(values.begin() + first, values.begin() + last);
       }
-    });
+    };
+    lead_apart(line.points);
+    lead_apart(line.raw);
+    lead_apart(line.stroke);
   }
   return places;
 }

@@ -7,7 +7,7 @@
 
 #include "croquis/geometry/vector.h"
 
-namespace croquis::silhouette {
+namespace croquis {
 
 /// minimise Σ cost x  subject to  lower <= A x <= upper for every row, bounds on x, x integer.
 class IntegerProgram {
@@ -39,15 +39,16 @@ class IntegerProgram {
   /// Branch and bound by GLPK, in a thread of its own: GLPK's environment belongs to the thread, so it can be thrown
   /// away, after an error too, without losing other problems. Prints nothing; bounds are counts. Variables that no rows
   /// connect are solved for apart: together their branches would multiply.
-  /// @param gap solutions that may be better by this share at most count as optimal
+  /// @param gap   solutions that may be better by this share at most count as optimal
+  /// @param first variables before this one are branched on first: those that the others follow from
   /// @throws Error (E_INTERNAL) when GLPK refuses the problem
-  Solution solve(int maximum_nodes, double gap = 0) const;
+  Solution solve(int maximum_nodes, double gap = 0, Index first = 0) const;
 
  private:
   struct Part;
   std::vector<Part> parts() const;
   std::optional<int> free_value() const;
-  Solution solve_connected(int maximum_nodes, double gap) const;
+  Solution solve_connected(int maximum_nodes, double gap, Index first) const;
 
   struct Variable {
     double lower, upper, cost;
@@ -61,4 +62,4 @@ class IntegerProgram {
   std::vector<Row> rows_;
 };
 
-}  // namespace croquis::silhouette
+}  // namespace croquis

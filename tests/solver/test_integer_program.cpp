@@ -5,12 +5,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/figure/integer_program.h"
 #include "croquis/base/error.h"
+#include "croquis/solver/integer_program.h"
 #include "support/random.h"
 
 using namespace croquis;
-using silhouette::IntegerProgram;
 
 TEST_CASE("an integer program is solved to its optimum, not to the rounded relaxation") {
   // max 5x + 4y, 6x + 4y <= 24, x + 2y <= 6: relaxed (3, 1.5), integer (4, 0).

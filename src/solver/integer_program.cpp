@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/figure/integer_program.h"
+#include "croquis/solver/integer_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/disjoint_sets.h"
 
-namespace croquis::silhouette {
+namespace croquis {
 namespace {
 
 // Far above what the relaxations of a drawing need (some hundred); a guard against cycling.
@@ -36,6 +36,7 @@ struct PlainProblem {
   const double* cost = nullptr;
   int maximum_nodes = 0;
   double gap = 0;
+  int first = 0;             ///< columns up to this one are branched on first
   double* values = nullptr;  ///< result
   int outcome = -1;          ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
   bool has_values = false;
@@ -52,16 +53,32 @@ int bound_type(double lower, double upper) {
   return above ? GLP_UP : GLP_FR;
 }
 
-struct NodeCount {
+struct Branching {
+  int first = 0;  ///< see PlainProblem
   int nodes = 0;
   int maximum = 0;
   bool reached = false;
 };
 
-void count_node(glp_tree* tree, void* info) {
-  auto* count = static_cast<NodeCount*>(info);
-  if (glp_ios_reason(tree) != GLP_ISELECT || ++count->nodes <= count->maximum) return;
-  count->reached = true;
+/// Counts nodes, and branches upon the most fractional of the first variables while any of those is fractional.
+void guide(glp_tree* tree, void* info) {
+  auto* branching = static_cast<Branching*>(info);
+  if (glp_ios_reason(tree) == GLP_IBRANCH) {
+    int column = 0;
+    double most = 0;
+    for (int j = 1; j <= branching->first; ++j) {
+      if (glp_ios_can_branch(tree, j) == 0) continue;
+      const double value = glp_get_col_prim(glp_ios_get_prob(tree), j);
+      const double fraction = std::abs(value - std::round(value));
+      if (column != 0 && fraction <= most) continue;
+      most = fraction;
+      column = j;
+    }
+    if (column != 0) glp_ios_branch_upon(tree, column, GLP_NO_BRNCH);
+    return;
+  }
+  if (glp_ios_reason(tree) != GLP_ISELECT || ++branching->nodes <= branching->maximum) return;
+  branching->reached = true;
   glp_ios_terminate(tree);
 }
 
@@ -82,7 +99,7 @@ void load(glp_prob* problem, const PlainProblem& plain) {
   glp_load_matrix(problem, plain.terms, plain.term_row, plain.term_column, plain.term_factor);
 }
 
-int run(glp_prob* problem, PlainProblem& plain, NodeCount& nodes) {
+int run(glp_prob* problem, PlainProblem& plain, Branching& guided) {
   glp_smcp simplex;
   glp_init_smcp(&simplex);
   simplex.msg_lev = GLP_MSG_OFF;
@@ -96,12 +113,13 @@ int run(glp_prob* problem, PlainProblem& plain, NodeCount& nodes) {
   // Far fewer branches than by the default on the programs of drawings, whose relaxations are mostly whole numbers.
   branching.br_tech = GLP_BR_MFV;
   if (plain.gap > 0) branching.mip_gap = plain.gap;
-  nodes.maximum = plain.maximum_nodes;
-  branching.cb_func = count_node;
-  branching.cb_info = &nodes;
+  guided.first = plain.first;
+  guided.maximum = plain.maximum_nodes;
+  branching.cb_func = guide;
+  branching.cb_info = &guided;
   const int code = glp_intopt(problem, &branching);
-  plain.nodes = nodes.nodes;
-  const bool stopped = nodes.reached || code == GLP_ESTOP;
+  plain.nodes = guided.nodes;
+  const bool stopped = guided.reached || code == GLP_ESTOP;
   if (code != 0 && code != GLP_EMIPGAP && !stopped) return 3;
   const int status = glp_mip_status(problem);
   if (status != GLP_OPT && status != GLP_FEAS) return stopped ? 2 : 1;
@@ -123,14 +141,14 @@ void solve_plain(PlainProblem& plain) {
   };
   glp_term_hook(listen, &plain);
   std::jmp_buf stop;
-  NodeCount nodes;
+  Branching guided;
   if (setjmp(stop) != 0) {
     plain.outcome = 3;
   } else {
     glp_error_hook([](void* info) { std::longjmp(*static_cast<std::jmp_buf*>(info), 1); }, &stop);
     glp_prob* problem = glp_create_prob();
     load(problem, plain);
-    plain.outcome = run(problem, plain, nodes);
+    plain.outcome = run(problem, plain, guided);
     glp_delete_prob(problem);
   }
   glp_error_hook(nullptr, nullptr);
@@ -204,7 +222,7 @@ std::optional<int> IntegerProgram::free_value() const {
   return static_cast<int>(std::lround(best));
 }
 
-IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) const {
+IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, Index first) const {
   Solution solution;
   for (const Row& row : rows_) {
     if (row.terms.empty() && (row.lower > 0 || row.upper < 0)) return solution;
@@ -215,7 +233,9 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) co
   for (const Part& part : parts()) {
     const int nodes = std::max(1, maximum_nodes - solution.nodes);
     const std::optional<int> free = part.program.rows_.empty() ? part.program.free_value() : std::nullopt;
-    const Solution own = free ? Solution{Status::Optimal, {*free}, 0} : part.program.solve_connected(nodes, gap);
+    const auto own_first = static_cast<Index>(std::ranges::lower_bound(part.variables, first) - part.variables.begin());
+    const Solution own =
+        free ? Solution{Status::Optimal, {*free}, 0} : part.program.solve_connected(nodes, gap, own_first);
     solution.nodes += own.nodes;
     solution.status = own.status;
     limited = limited || own.status == Status::Limit;
@@ -227,7 +247,7 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap) co
   return solution;
 }
 
-IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, double gap) const {
+IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, double gap, Index first) const {
   Solution solution;
   std::vector<int> term_row{0};
   std::vector<int> term_column{0};
@@ -265,6 +285,7 @@ IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, doub
                      cost.data(),
                      maximum_nodes,
                      gap,
+                     static_cast<int>(first),
                      values.data(),
                      -1,
                      false,
@@ -280,4 +301,4 @@ IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, doub
   return solution;
 }
 
-}  // namespace croquis::silhouette
+}  // namespace croquis
