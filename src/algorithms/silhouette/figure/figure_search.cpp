@@ -200,7 +200,8 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
 /// E_NO_LABELLING naming the lines of which a labelling with blame had to break a rule; E_TOUCH where contours meet in
 /// a way that nothing resolves.
 Finding no_labelling(const FigureContext& context, const PartLines& part, const Trial& trial) {
-  const auto& [closed, arrangement, faces] = trial;
+  const Arrangement& arrangement = trial.arrangement;
+  const Faces& faces = trial.faces;
   if (!faces.conflicts.empty()) return contours_touch(context, part, faces.conflicts.front());
   Labelling blamed;
   if (!faces.winding.empty()) blamed = label_arrangement(arrangement, faces, LabellingRules::Blame);
@@ -222,7 +223,8 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
     const auto& [a, b] = arrangement.crossings[wrong].strands;
     const std::string first = blame(arrangement.first_segment[a.contour] + a.position);
     const std::string second = blame(arrangement.first_segment[b.contour] + b.position);
-    faults.push_back(first + " and " + second + " contradict one another");
+    faults.push_back(first);
+    faults.back().append(" and ").append(second).append(" contradict one another");
   }
   for (const Index wrong : blamed.wrong_faces) {
     for (Index e = 0; e < arrangement.arcs.size(); ++e) {

@@ -2,6 +2,7 @@
 #include "algorithms/silhouette/figure/labelled_figure_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -102,14 +103,16 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
   std::map<Index, std::pair<double, FigureOverlap>> regions;  // with the area of the triangle
   for (Index t = 0; t < faces.of_triangle.size(); ++t) {
     const Index f = faces.of_triangle[t];
-    const auto& [a, b, c] = faces.triangulation.triangles[t];
-    const Points& p = arrangement.points;
-    const double area = cross(p[b] - p[a], p[c] - p[a]);
+    const std::array<Index, 3>& corners = faces.triangulation.triangles[t];
+    const Vec2& a = arrangement.points[corners[0]];
+    const Vec2& b = arrangement.points[corners[1]];
+    const Vec2& c = arrangement.points[corners[2]];
+    const double area = cross(b - a, c - a);
     stacks.pairs_of(f, [&](Index above, Index below) {
       auto& [largest, overlap] = regions[sets.root(stacks.pair(f, above, below))];
       if (area <= largest) return;
       largest = area;
-      overlap.at = (p[a] + p[b] + p[c]) / 3;
+      overlap.at = (a + b + c) / 3;
       overlap.upper = stacks.component[stacks.panel(f, above)];
       overlap.lower = stacks.component[stacks.panel(f, below)];
     });

@@ -63,6 +63,7 @@ std::string told_object(const Drawing& drawing, const std::vector<Index>& stroke
 std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vector<ContourPath>& paths,
                                         const Faces& faces, Arrangement& arrangement) {
   std::vector<double> area;
+  area.reserve(paths.size());
   for (const ContourPath& path : paths) area.push_back(signed_area(path.points));
   const std::vector<std::set<Index>> crossed = crossed_contours(arrangement);
   const std::vector<Index> around = surrounding_contours(arrangement, faces, area, crossed);

@@ -158,8 +158,8 @@ std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
   }
   const auto ends = [](const HiddenPair& pair) { return std::pair(pair.a, pair.b); };
   std::ranges::sort(kept, {}, ends);
-  const auto repeated = std::ranges::unique(kept, {}, ends);
-  kept.erase(repeated.begin(), repeated.end());
+  const auto alike = [&](const HiddenPair& one, const HiddenPair& other) { return ends(one) == ends(other); };
+  kept.erase(std::unique(kept.begin(), kept.end(), alike), kept.end());
   return kept;
 }
 

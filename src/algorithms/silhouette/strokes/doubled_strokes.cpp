@@ -144,7 +144,8 @@ void cut_retraced_ends(std::vector<SampledStroke>& strokes, const DrawingScale& 
     const double reach = std::min(retracing_distance * scale.unit, scale.reach_share * stroke.size);
     const double spacing = stroke.length / static_cast<double>(stroke.points.size() - 1);
     for (const bool at_start : {false, true}) {
-      auto& [begin, end] = kept[s];
+      Index& begin = kept[s].begin;
+      Index& end = kept[s].end;
       const CutEnd cut{s, at_start, reach};
       const auto sample = [&](Index steps) { return at_start ? begin + steps : end - 1 - steps; };
       Index steps = 0;  // from the end, along another line

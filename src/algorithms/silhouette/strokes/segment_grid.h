@@ -52,8 +52,7 @@ class SegmentGrid {
     for_cells(range(low, high),
               [&](std::size_t cell) { found.insert(found.end(), cells_[cell].begin(), cells_[cell].end()); });
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     for (const Index segment : found) visit(segment);
   }
 
