@@ -70,10 +70,7 @@ class LimbSearch {
   /// The stretches of a stroke outside everything, and a bit of it within at both ends.
   void add(const SampledStroke& stroke) {
     const double width = std::min(usual_width_, slenderness * stroke.length);
-    Points points;
-    for (const double at : even_parameters(stroke.points, stroke.closed, place_share * width)) {
-      points.push_back(point_at(stroke.points, at));
-    }
+    const Points points = even_points(stroke.points, stroke.closed, place_share * width);
     std::vector<bool> inside;
     for (const Vec2& point : points) inside.push_back(is_inside(point, contours_));
     const auto more = static_cast<std::size_t>(depth_within / place_share) + 1;
@@ -161,7 +158,7 @@ Polygons around(const Limb& limb, const SmallFrame& frame) {
 CleanLine line_of(const Points& ring, const std::vector<Limb>& limbs, double step) {
   CleanLine line;
   line.closed = true;
-  for (const double parameter : even_parameters(ring, true, step)) line.points.push_back(point_at(ring, parameter));
+  line.points = even_points(ring, true, step);
   line.raw = line.points;
   for (const Vec2& point : line.points) {
     double least = std::numeric_limits<double>::infinity();
