@@ -414,8 +414,8 @@ bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, 
   }
   for (std::size_t i = 0; i < join_.size(); ++i) {
     const EndJoin& join = connections_.joins[i];
-    const auto both = std::minmax(stroke_of(join.a), stroke_of(join.b));
-    if (both == std::minmax(a, b) && !contains(reading.joins, join)) add_terms(join_[i], -1, terms);
+    const auto both = std::minmax({stroke_of(join.a), stroke_of(join.b)});
+    if (both == std::minmax({a, b}) && !contains(reading.joins, join)) add_terms(join_[i], -1, terms);
   }
   program_.add_row(std::move(terms), -IntegerProgram::unbounded, most);
   return true;
