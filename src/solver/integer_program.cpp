@@ -5,7 +5,7 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
-#include <functional>
+#include <exception>
 #include <new>
 #include <thread>
 #include <utility>
@@ -20,29 +20,13 @@ namespace {
 
 // Far above what the relaxations of a drawing need (some hundred); a guard against cycling.
 constexpr int maximum_simplex_iterations = 200'000;
+// What of a number is lost in a relaxation.
+constexpr double whole_tolerance = 1e-5;
+constexpr double cost_tolerance = 1e-9;
 
-/// Everything GLPK reads and writes, in plain arrays (index 0 unused): no destructor may be skipped by the long jump.
-struct PlainProblem {
-  int rows = 0;
-  int columns = 0;
-  int terms = 0;
-  const int* term_row = nullptr;
-  const int* term_column = nullptr;
-  const double* term_factor = nullptr;
-  const double* row_lower = nullptr;
-  const double* row_upper = nullptr;
-  const double* column_lower = nullptr;
-  const double* column_upper = nullptr;
-  const double* cost = nullptr;
-  int maximum_nodes = 0;
-  double gap = 0;
-  int first = 0;             ///< columns up to this one are branched on first
-  double* values = nullptr;  ///< result
-  int outcome = -1;          ///< 0 optimal, 1 infeasible, 2 limit, 3 GLPK failed
-  bool has_values = false;
-  bool out_of_memory = false;  ///< why it failed
-  int nodes = 0;               ///< looked at
-};
+[[noreturn]] void throw_refused() {
+  throw Error(make_error(Category::Internal, "E_INTERNAL", "The integer program of the drawing was refused by GLPK"));
+}
 
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
@@ -53,117 +37,139 @@ int bound_type(double lower, double upper) {
   return above ? GLP_UP : GLP_FR;
 }
 
-struct Branching {
-  int first = 0;  ///< see PlainProblem
-  int nodes = 0;
-  int maximum = 0;
-  bool reached = false;
-};
-
-/// Counts nodes, and branches upon the most fractional of the first variables while any of those is fractional.
-void guide(glp_tree* tree, void* info) {
-  auto* branching = static_cast<Branching*>(info);
-  if (glp_ios_reason(tree) == GLP_IBRANCH) {
-    int column = 0;
-    double most = 0;
-    for (int j = 1; j <= branching->first; ++j) {
-      if (glp_ios_can_branch(tree, j) == 0) continue;
-      const double value = glp_get_col_prim(glp_ios_get_prob(tree), j);
-      const double fraction = std::abs(value - std::round(value));
-      if (column != 0 && fraction <= most) continue;
-      most = fraction;
-      column = j;
-    }
-    if (column != 0) glp_ios_branch_upon(tree, column, GLP_NO_BRNCH);
-    return;
-  }
-  if (glp_ios_reason(tree) != GLP_ISELECT || ++branching->nodes <= branching->maximum) return;
-  branching->reached = true;
-  glp_ios_terminate(tree);
-}
-
-void load(glp_prob* problem, const PlainProblem& plain) {
-  glp_set_obj_dir(problem, GLP_MIN);
-  if (plain.rows > 0) glp_add_rows(problem, plain.rows);
-  glp_add_cols(problem, plain.columns);
-  for (int i = 1; i <= plain.rows; ++i) {
-    glp_set_row_bnds(problem, i, bound_type(plain.row_lower[i], plain.row_upper[i]), plain.row_lower[i],
-                     plain.row_upper[i]);
-  }
-  for (int j = 1; j <= plain.columns; ++j) {
-    glp_set_col_kind(problem, j, GLP_IV);
-    glp_set_col_bnds(problem, j, bound_type(plain.column_lower[j], plain.column_upper[j]), plain.column_lower[j],
-                     plain.column_upper[j]);
-    glp_set_obj_coef(problem, j, plain.cost[j]);
-  }
-  glp_load_matrix(problem, plain.terms, plain.term_row, plain.term_column, plain.term_factor);
-}
-
-int run(glp_prob* problem, PlainProblem& plain, Branching& guided) {
-  glp_smcp simplex;
-  glp_init_smcp(&simplex);
-  simplex.msg_lev = GLP_MSG_OFF;
-  simplex.it_lim = maximum_simplex_iterations;
-  simplex.meth = GLP_DUALP;
-  if (glp_simplex(problem, &simplex) != 0) return glp_get_status(problem) == GLP_NOFEAS ? 1 : 2;
-  if (glp_get_status(problem) != GLP_OPT) return 1;
-  glp_iocp branching;
-  glp_init_iocp(&branching);
-  branching.msg_lev = GLP_MSG_OFF;
-  // Far fewer branches than by the default on the programs of drawings, whose relaxations are mostly whole numbers.
-  branching.br_tech = GLP_BR_MFV;
-  if (plain.gap > 0) branching.mip_gap = plain.gap;
-  guided.first = plain.first;
-  guided.maximum = plain.maximum_nodes;
-  branching.cb_func = guide;
-  branching.cb_info = &guided;
-  const int code = glp_intopt(problem, &branching);
-  plain.nodes = guided.nodes;
-  const bool stopped = guided.reached || code == GLP_ESTOP;
-  if (code != 0 && code != GLP_EMIPGAP && !stopped) return 3;
-  const int status = glp_mip_status(problem);
-  if (status != GLP_OPT && status != GLP_FEAS) return stopped ? 2 : 1;
-  for (int j = 1; j <= plain.columns; ++j) plain.values[j] = glp_mip_col_val(problem, j);
-  plain.has_values = true;
-  return stopped ? 2 : 0;
-}
-
-/// GLPK's error hook must not return and may not throw through C: it jumps to where GLPK was called from. This frame
-/// and all below it hold plain data only. What GLPK had allocated goes with its environment.
-void solve_plain(PlainProblem& plain) {
-  glp_term_out(GLP_OFF);
-  // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet. Only the
-  // text gives the reason: "no memory available", "memory allocation limit exceeded".
-  const auto listen = [](void* info, const char* words) {
-    auto& heard = *static_cast<PlainProblem*>(info);
-    heard.out_of_memory = heard.out_of_memory || std::strstr(words, "memory") != nullptr;
-    return 1;
-  };
-  glp_term_hook(listen, &plain);
+/// Calls GLPK. Its error hook must not return and may not throw through C: it jumps back here, over frames that hold
+/// plain data only. What GLPK had allocated goes with its environment.
+/// @param out_of_memory why GLPK failed, as its terminal hook heard it
+template <typename Call>
+void guarded(const bool& out_of_memory, const Call& call) {
   std::jmp_buf stop;
-  Branching guided;
   if (setjmp(stop) != 0) {
-    plain.outcome = 3;
-  } else {
-    glp_error_hook([](void* info) { std::longjmp(*static_cast<std::jmp_buf*>(info), 1); }, &stop);
-    glp_prob* problem = glp_create_prob();
-    load(problem, plain);
-    plain.outcome = run(problem, plain, guided);
-    glp_delete_prob(problem);
+    if (out_of_memory) throw std::bad_alloc();
+    throw_refused();
   }
+  glp_error_hook([](void* to) { std::longjmp(*static_cast<std::jmp_buf*>(to), 1); }, &stop);
+  call();
   glp_error_hook(nullptr, nullptr);
-  glp_free_env();
 }
 
-[[noreturn]] void throw_refused() {
-  throw Error(make_error(Category::Internal, "E_INTERNAL", "The integer program of the drawing was refused by GLPK"));
+/// GLPK's environment belongs to the thread: it can be thrown away, after an error too, without losing other problems.
+/// @param work is given whether GLPK was heard to be out of memory
+template <typename Work>
+void in_own_environment(const Work& work) {
+  std::exception_ptr failure;
+  std::thread([&] {
+    bool out_of_memory = false;
+    // GLPK turns its output on again to report an error; a hook that claims to have shown it keeps it quiet. Only the
+    // text gives the reason: "no memory available", "memory allocation limit exceeded".
+    const auto listen = [](void* heard, const char* words) {
+      bool& memory = *static_cast<bool*>(heard);
+      memory = memory || std::strstr(words, "memory") != nullptr;
+      return 1;
+    };
+    glp_term_out(GLP_OFF);
+    glp_term_hook(listen, &out_of_memory);
+    try {
+      work(out_of_memory);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    glp_error_hook(nullptr, nullptr);
+    glp_free_env();
+  }).join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace
 
+/// A part's relaxation in GLPK. All numbers of GLPK begin with 1.
+class IntegerProgram::Relaxation {
+ public:
+  /// @param out_of_memory see `guarded`; both must outlive it
+  Relaxation(const Part& part, const bool& out_of_memory) : part_(part), out_of_memory_(out_of_memory) {
+    guarded(out_of_memory_, [this] { load(); });
+  }
+
+  /// The least cost within a node's bounds; none where there is no solution.
+  std::optional<double> solve(const Node& node) {
+    std::optional<double> cost;
+    guarded(out_of_memory_, [&] {
+      start_from(node);
+      glp_smcp simplex;
+      glp_init_smcp(&simplex);
+      simplex.msg_lev = GLP_MSG_OFF;
+      simplex.it_lim = maximum_simplex_iterations;
+      simplex.meth = GLP_DUALP;
+      int code = glp_simplex(problem_, &simplex);
+      if (code == GLP_EBADB || code == GLP_ESING || code == GLP_ECOND) {  // rows came, and it is no basis any more
+        glp_std_basis(problem_);
+        code = glp_simplex(problem_, &simplex);
+      }
+      if (code == 0 && glp_get_status(problem_) == GLP_OPT) cost = glp_get_obj_val(problem_);
+    });
+    return cost;
+  }
+
+  double value(Index variable) const { return glp_get_col_prim(problem_, number(variable)); }
+
+  std::vector<int> basis() const {
+    std::vector<int> statuses;
+    for (int i = 1; i <= glp_get_num_rows(problem_); ++i) statuses.push_back(glp_get_row_stat(problem_, i));
+    for (int j = 1; j <= glp_get_num_cols(problem_); ++j) statuses.push_back(glp_get_col_stat(problem_, j));
+    return statuses;
+  }
+
+ private:
+  static int number(Index index) { return static_cast<int>(index) + 1; }
+
+  void load() {
+    problem_ = glp_create_prob();
+    glp_set_obj_dir(problem_, GLP_MIN);
+    if (!part_.rows.empty()) glp_add_rows(problem_, number(static_cast<Index>(part_.rows.size())) - 1);
+    glp_add_cols(problem_, number(static_cast<Index>(part_.cost.size())) - 1);
+    for (Index v = 0; v < part_.cost.size(); ++v) glp_set_obj_coef(problem_, number(v), part_.cost[v]);
+    for (Index r = 0; r < part_.rows.size(); ++r) {
+      const auto& [terms, lower, upper] = part_.rows[r];
+      glp_set_row_bnds(problem_, number(r), bound_type(lower, upper), lower, upper);
+      columns_.assign(1, 0);
+      factors_.assign(1, 0);
+      for (const Term& term : terms) {
+        columns_.push_back(number(term.variable));
+        factors_.push_back(term.factor);
+      }
+      glp_set_mat_row(problem_, number(r), static_cast<int>(terms.size()), columns_.data(), factors_.data());
+    }
+  }
+
+  void start_from(const Node& node) {
+    for (Index v = 0; v < node.bounds.size(); ++v) {
+      const auto [lower, upper] = node.bounds[v];
+      glp_set_col_bnds(problem_, number(v), bound_type(lower, upper), lower, upper);
+    }
+    if (node.basis.empty()) return glp_std_basis(problem_);
+    const std::size_t rows = node.basis.size() - node.bounds.size();
+    for (Index r = 0; r < part_.rows.size(); ++r) {
+      glp_set_row_stat(problem_, number(r), r < rows ? node.basis[r] : GLP_BS);
+    }
+    for (Index v = 0; v < node.bounds.size(); ++v) glp_set_col_stat(problem_, number(v), node.basis[rows + v]);
+  }
+
+  const Part& part_;
+  const bool& out_of_memory_;
+  glp_prob* problem_ = nullptr;  ///< goes with the environment
+  std::vector<int> columns_;     ///< outlives jumps
+  std::vector<double> factors_;
+};
+
 Index IntegerProgram::add_variable(double lower, double upper, double cost) {
-  variables_.push_back({lower, upper, cost});
-  return static_cast<Index>(variables_.size() - 1);
+  parts_.clear();
+  bounds_.push_back({lower, upper});
+  cost_.push_back(cost);
+  return static_cast<Index>(cost_.size() - 1);
+}
+
+void IntegerProgram::set_bounds(Index variable, double lower, double upper) {
+  parts_.clear();
+  bounds_[variable] = {lower, upper};
 }
 
 void IntegerProgram::add_row(std::vector<Term> terms, double lower, double upper) {
@@ -178,64 +184,133 @@ void IntegerProgram::add_row(std::vector<Term> terms, double lower, double upper
     }
   }
   rows_.push_back({std::move(merged), lower, upper});
+  if (!parts_.empty()) add_to_part(rows_.back());
 }
 
-void IntegerProgram::set_bounds(Index variable, double lower, double upper) {
-  variables_[variable].lower = lower;
-  variables_[variable].upper = upper;
-}
-
-/// Variables that rows connect, and those rows.
-struct IntegerProgram::Part {
-  std::vector<Index> variables;  ///< ascending
-  IntegerProgram program;
-};
-
-std::vector<IntegerProgram::Part> IntegerProgram::parts() const {
-  DisjointSets connected(variables_.size());
+void IntegerProgram::find_parts() {
+  DisjointSets connected(cost_.size());
   for (const Row& row : rows_) {
     for (const Term& term : row.terms) connected.unite(row.terms.front().variable, term.variable);
   }
-  std::vector<Index> part, number;
-  std::vector<Part> parts(connected.number(part));
-  for (Index v = 0; v < variables_.size(); ++v) {
-    Part& own = parts[part[v]];
-    number.push_back(static_cast<Index>(own.variables.size()));
-    own.variables.push_back(v);
-    own.program.variables_.push_back(variables_[v]);
+  parts_.resize(connected.number(part_of_));
+  for (Part& part : parts_) part.open.resize(1);
+  for (Index v = 0; v < cost_.size(); ++v) {
+    Part& part = parts_[part_of_[v]];
+    part.variables.push_back(v);
+    part.cost.push_back(cost_[v]);
+    part.open.front().bounds.push_back(bounds_[v]);
   }
-  for (const Row& row : rows_) {
-    if (row.terms.empty()) continue;
-    std::vector<Row>& rows = parts[part[row.terms.front().variable]].program.rows_;
-    rows.push_back(row);
-    for (Term& term : rows.back().terms) term.variable = number[term.variable];
+  for (const Row& row : rows_) add_to_part(row);
+}
+
+/// The part goes on with its search; where the row connects parts, all begin anew.
+void IntegerProgram::add_to_part(const Row& row) {
+  if (row.terms.empty()) return;
+  const Index of = part_of_[row.terms.front().variable];
+  Row own = row;
+  for (Term& term : own.terms) {
+    if (term.variable >= part_of_.size() || part_of_[term.variable] != of) return parts_.clear();
+    const auto position = std::ranges::lower_bound(parts_[of].variables, term.variable);
+    term.variable = static_cast<Index>(position - parts_[of].variables.begin());
   }
-  return parts;
+  parts_[of].rows.push_back(std::move(own));
 }
 
 /// The best value of a variable that is in no row; none where it has no bound, or bounds that contradict.
-std::optional<int> IntegerProgram::free_value() const {
-  const Variable& only = variables_.front();
-  double best = std::max(only.lower, std::min(only.upper, 0.0));
-  if (only.cost != 0) best = only.cost > 0 ? only.lower : only.upper;
-  if (!std::isfinite(best) || !(only.lower <= only.upper)) return std::nullopt;
+std::optional<int> IntegerProgram::free_value(const Part& part) {
+  const auto [lower, upper] = part.open.front().bounds.front();
+  double best = std::max(lower, std::min(upper, 0.0));
+  if (part.cost.front() != 0) best = part.cost.front() > 0 ? lower : upper;
+  if (!std::isfinite(best) || !(lower <= upper)) return std::nullopt;
   return static_cast<int>(std::lround(best));
 }
 
-IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, Index first) const {
+/// Of the open nodes that may hold a solution as good as any the deepest one.
+std::size_t IntegerProgram::most_promising(const Part& part, double gap) {
+  const double least = std::ranges::min_element(part.open, {}, &Node::cost)->cost;
+  const double enough = std::isfinite(least) ? least + gap * std::abs(least) + cost_tolerance : least;
+  std::size_t found = part.open.size() - 1;
+  while (part.open[found].cost > enough) --found;
+  return found;
+}
+
+/// Solves a node's relaxation: it is dropped, gets values, or becomes two.
+void IntegerProgram::branch(Part& part, Node node, Relaxation& relaxation, Index first) {
+  const std::optional<double> cost = relaxation.solve(node);
+  if (!cost) return;
+  node.cost = std::max(node.cost, *cost);
+  node.basis = relaxation.basis();
+  node.rows = part.rows.size();
+  Index most_broken = no_index;
+  double most = whole_tolerance;
+  node.values.clear();
+  for (Index v = 0; v < part.cost.size() && (v != first || most_broken == no_index); ++v) {
+    const double value = relaxation.value(v);
+    const double off = std::abs(value - std::round(value));
+    node.values.push_back(static_cast<int>(std::lround(value)));
+    if (off <= most) continue;
+    most = off;
+    most_broken = v;
+  }
+  if (most_broken == no_index) return part.open.push_back(std::move(node));
+  node.values.clear();
+  const double value = relaxation.value(most_broken);
+  Node below = node;
+  below.bounds[most_broken].upper = std::floor(value);
+  node.bounds[most_broken].lower = std::floor(value) + 1;
+  if (value - std::floor(value) < 0.5) std::swap(below, node);
+  part.open.push_back(std::move(below));
+  part.open.push_back(std::move(node));
+}
+
+/// Goes down from the most promising node until there is a solution or none, then from the next one.
+IntegerProgram::Solution IntegerProgram::solve_part(Part& part, int maximum_nodes, double gap, Index first) {
+  Solution solution;
+  const auto cost_as_solution = [&](const Node& node) {
+    return !node.values.empty() && node.rows == part.rows.size() ? node.cost : unbounded;
+  };
+  const auto search = [&](const bool& out_of_memory) {
+    std::optional<Relaxation> relaxation;
+    bool descending = false;
+    while (!part.open.empty()) {
+      const auto known = std::ranges::min_element(part.open, {}, cost_as_solution);
+      const double known_cost = cost_as_solution(*known);
+      const std::size_t promising = most_promising(part, gap);
+      const bool optimal = std::isfinite(cost_as_solution(part.open[promising]));
+      if (optimal || solution.nodes >= maximum_nodes) {
+        solution.status = optimal ? Status::Optimal : Status::Limit;
+        if (optimal || std::isfinite(known_cost)) solution.values = (optimal ? part.open[promising] : *known).values;
+        return;
+      }
+      const std::size_t next = descending && part.open.back().cost < known_cost ? part.open.size() - 1 : promising;
+      ++solution.nodes;
+      if (!relaxation) relaxation.emplace(part, out_of_memory);
+      Node node = std::move(part.open[next]);
+      part.open.erase(part.open.begin() + static_cast<std::ptrdiff_t>(next));
+      const std::size_t others = part.open.size();
+      branch(part, std::move(node), *relaxation, first);
+      descending = part.open.size() > others + 1;
+    }
+    solution.status = Status::Infeasible;
+  };
+  in_own_environment(search);
+  return solution;
+}
+
+IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, Index first) {
   Solution solution;
   for (const Row& row : rows_) {
     if (row.terms.empty() && (row.lower > 0 || row.upper < 0)) return solution;
-    if (!row.terms.empty() && row.terms.back().variable >= variables_.size()) throw_refused();
+    if (!row.terms.empty() && row.terms.back().variable >= cost_.size()) throw_refused();
   }
-  std::vector<int> values(variables_.size(), 0);
+  if (parts_.empty()) find_parts();
+  std::vector<int> values(cost_.size(), 0);
   bool limited = false;
-  for (const Part& part : parts()) {
-    const int nodes = std::max(1, maximum_nodes - solution.nodes);
-    const std::optional<int> free = part.program.rows_.empty() ? part.program.free_value() : std::nullopt;
+  for (Part& part : parts_) {
+    const std::optional<int> free = part.rows.empty() ? free_value(part) : std::nullopt;
     const auto own_first = static_cast<Index>(std::ranges::lower_bound(part.variables, first) - part.variables.begin());
-    const Solution own =
-        free ? Solution{Status::Optimal, {*free}, 0} : part.program.solve_connected(nodes, gap, own_first);
+    const int nodes = std::max(1, maximum_nodes - solution.nodes);
+    const Solution own = free ? Solution{Status::Optimal, {*free}, 0} : solve_part(part, nodes, gap, own_first);
     solution.nodes += own.nodes;
     solution.status = own.status;
     limited = limited || own.status == Status::Limit;
@@ -244,60 +319,6 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, In
   }
   solution.status = limited ? Status::Limit : Status::Optimal;
   solution.values = std::move(values);
-  return solution;
-}
-
-IntegerProgram::Solution IntegerProgram::solve_connected(int maximum_nodes, double gap, Index first) const {
-  Solution solution;
-  std::vector<int> term_row{0};
-  std::vector<int> term_column{0};
-  std::vector<double> term_factor{0};
-  std::vector<double> row_lower{0};
-  std::vector<double> row_upper{0};
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    row_lower.push_back(rows_[i].lower);
-    row_upper.push_back(rows_[i].upper);
-    for (const Term& term : rows_[i].terms) {
-      term_row.push_back(static_cast<int>(i + 1));
-      term_column.push_back(static_cast<int>(term.variable + 1));
-      term_factor.push_back(term.factor);
-    }
-  }
-  std::vector<double> column_lower{0};
-  std::vector<double> column_upper{0};
-  std::vector<double> cost{0};
-  for (const Variable& variable : variables_) {
-    column_lower.push_back(variable.lower);
-    column_upper.push_back(variable.upper);
-    cost.push_back(variable.cost);
-  }
-  std::vector<double> values(variables_.size() + 1, 0.0);
-  PlainProblem plain{static_cast<int>(rows_.size()),
-                     static_cast<int>(variables_.size()),
-                     static_cast<int>(term_row.size() - 1),
-                     term_row.data(),
-                     term_column.data(),
-                     term_factor.data(),
-                     row_lower.data(),
-                     row_upper.data(),
-                     column_lower.data(),
-                     column_upper.data(),
-                     cost.data(),
-                     maximum_nodes,
-                     gap,
-                     static_cast<int>(first),
-                     values.data(),
-                     -1,
-                     false,
-                     false,
-                     0};
-  std::thread(solve_plain, std::ref(plain)).join();
-  if (plain.outcome == 3 && plain.out_of_memory) throw std::bad_alloc();
-  if (plain.outcome == 3) throw_refused();
-  solution.status = plain.outcome == 0 ? Status::Optimal : plain.outcome == 1 ? Status::Infeasible : Status::Limit;
-  solution.nodes = plain.nodes;
-  if (!plain.has_values) return solution;
-  for (std::size_t j = 1; j < values.size(); ++j) solution.values.push_back(static_cast<int>(std::lround(values[j])));
   return solution;
 }
 
