@@ -362,17 +362,7 @@ double completion_reference(const std::vector<CleanLine>& lines, const Junctions
     const HiddenEnd& end = junctions.ends[e];
     if (given_piece_of(junctions, e) == no_index) places.push_back(lines[end.line].end(end.at_start));
   }
-  if (places.empty()) return 0;
-  std::vector<double> nearest;
-  for (const Vec2& place : places) {
-    nearest.push_back(no_limit);
-    for (const Vec2& other : places) {
-      if (&other != &place) nearest.back() = std::min(nearest.back(), (other - place).norm());
-    }
-  }
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::ranges::nth_element(nearest, middle);
-  return *middle;
+  return typical_spacing(places, std::vector<char>(places.size(), 1)).value_or(0);
 }
 
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,

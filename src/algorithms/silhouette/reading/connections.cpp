@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -42,6 +43,7 @@ constexpr double plain_cost = 0.15;
 constexpr double plain_margin = 0.6;
 // Hidden pieces are candidates up to this length, in typical distances of ends, and so many of them for an end.
 constexpr double longest_hidden = 40;
+constexpr double usual_spacing = 100, least_spacing = 4;  // u
 constexpr double shortest_hidden = 0.1;  // u
 constexpr std::ptrdiff_t most_hidden = 7;
 
@@ -112,23 +114,6 @@ void drop_beside_plain_joins(Connections& found) {
   std::erase_if(found.meetings, [&](const EndMeeting& meeting) { return partner[meeting.end] != no_index; });
 }
 
-/// The median distance to the nearest other place, of those that likely are behind something.
-double typical_distance(const std::vector<const EndMeeting*>& likeliest, double unit) {
-  constexpr double usual = 100, least_reference = 4;  // u
-  std::vector<double> nearest;
-  for (const EndMeeting* from : likeliest) {
-    double least = infinity;
-    for (const EndMeeting* to : likeliest) {
-      if (to != from) least = std::min(least, (to->at - from->at).norm());
-    }
-    if (from->cost < 1 && least < infinity) nearest.push_back(least);
-  }
-  if (nearest.empty()) return usual * unit;
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::ranges::nth_element(nearest, middle);
-  return std::max(*middle, least_reference * unit);
-}
-
 /// The pairs of ends that hidden pieces may join, the cheapest few of each end.
 std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
   std::vector<const EndMeeting*> likeliest;  // of each end; meetings are sorted by end
@@ -136,7 +121,14 @@ std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
     if (likeliest.empty() || likeliest.back()->end != meeting.end) likeliest.push_back(&meeting);
     if (meeting.cost < likeliest.back()->cost) likeliest.back() = &meeting;
   }
-  const double reference = typical_distance(likeliest, unit);
+  Points places;
+  std::vector<char> likely;
+  for (const EndMeeting* meeting : likeliest) {
+    places.push_back(meeting->at);
+    likely.push_back(meeting->cost < 1 ? 1 : 0);
+  }
+  const double reference =
+      std::max(typical_spacing(places, likely).value_or(usual_spacing * unit), least_spacing * unit);
   std::vector<std::vector<HiddenPair>> of_end(found.ends.size());
   for (const EndMeeting* from : likeliest) {
     for (const EndMeeting* to : likeliest) {
@@ -163,166 +155,161 @@ std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
   return kept;
 }
 
-class ConnectionSearch {
- public:
-  ConnectionSearch(const std::vector<SampledStroke>& strokes, const DrawingScale& scale)
-      : strokes_(strokes),
-        scale_(scale),
-        doubled_(doubled_strokes(strokes, scale)),
-        grid_(segments(strokes, doubled_), scale.step) {
-    for (const SampledStroke& stroke : strokes) largest_ = std::max(largest_, stroke.size);
-  }
+/// The strokes, and the segments of those that weren't drawn over others.
+struct DrawnStrokes {
+  const std::vector<SampledStroke>& strokes;
+  const DrawingScale& scale;
+  SegmentGrid grid;
 
-  Connections run(const Progress& progress) {
-    found_.ends = ends_of(strokes_, doubled_, scale_.unit);
-    find_crossings();
-    progress.check();
-    for (Index a = 0; a < found_.ends.size(); ++a) {
-      for (Index b = a + 1; b < found_.ends.size(); ++b) find_join(a, b);
-    }
-    progress.check();
-    for (Index end = 0; end < found_.ends.size(); ++end) find_meetings(end);
-    doubt_joins_at_lines(found_);
-    drop_beside_plain_joins(found_);
-    progress.check();
-    found_.hidden = hidden_pairs(found_, scale_.unit);
-    found_.doubled = std::move(doubled_);
-    return std::move(found_);
-  }
-
- private:
-  /// Of strokes that weren't drawn over others.
-  static std::vector<GridSegment> segments(const std::vector<SampledStroke>& strokes,
-                                           const std::vector<Index>& doubled) {
-    std::vector<GridSegment> all = stroke_segments(strokes);
-    std::erase_if(all, [&](const GridSegment& segment) { return doubled[segment.line] != no_index; });
-    return all;
-  }
-
-  void find_crossings() {
-    std::map<std::pair<Index, Index>, int> counts;
-    for (const SegmentContact& contact : find_contacts(grid_)) ++counts[{contact.a.line, contact.b.line}];
-    for (const auto& [pair, count] : counts) found_.crossings.push_back({pair.first, pair.second, count});
-  }
-
-  void find_join(Index index_a, Index index_b) {
-    const LineEnd& a = found_.ends[index_a];
-    const LineEnd& b = found_.ends[index_b];
-    const SampledStroke& first = strokes_[a.stroke];
-    const SampledStroke& second = strokes_[b.stroke];
-    if (!first.object.empty() && !second.object.empty() && first.object != second.object) return;
-    const double distance = (b.place - a.place).norm();
-    const bool closing = a.stroke == b.stroke;
-    const double usual = closing ? std::max(scale_.gap, scale_.close_share * first.length)
-                                 : std::max(scale_.gap, scale_.reach_share * (first.size + second.size) / 2);
-    const double widest = closing ? std::max(scale_.close, farthest_closing * first.length)
-                                  : std::max({farthest_gap * usual, least_farthest_gap * scale_.unit,
-                                              farthest_opening * std::min(first.length, second.length)});
-    if (distance > widest) return;
-    const double share = distance / usual;
-    const double weight = distance > negligible_gap * scale_.unit ? std::min(1.0, share) : 0;
-    double cost = costs::gap * (closing || share > farthest_gap ? costs::opening(share) : costs::miss(share));
-    cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, weight);
-    if (is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
-    found_.joins.push_back({index_a, index_b, std::min(1.0, share), cost});
+  double reach(Index one, Index other) const {
+    return scale.reach(std::max(strokes[one].size, strokes[other].size));
   }
 
   /// Whether a line of other strokes lies between two places.
   bool is_blocked(const Vec2& from, const Vec2& to, Index one, Index other) const {
     bool blocked = false;
-    grid_.near_box(from.cwiseMin(to), from.cwiseMax(to), [&](Index i) {
-      const GridSegment& segment = grid_.segments()[i];
+    grid.near_box(from.cwiseMin(to), from.cwiseMax(to), [&](Index i) {
+      const GridSegment& segment = grid.segments()[i];
       if (segment.line == one || segment.line == other) return;
       blocked = blocked || cross_properly(from, to, segment.a, segment.b);
     });
     return blocked;
   }
-
-  double reach(Index one, Index other) const {
-    return scale_.reach(std::max(strokes_[one].size, strokes_[other].size));
-  }
-
-  /// What an end may pass behind: on each side of each line the cheapest place.
-  void find_meetings(Index index) {
-    const LineEnd& end = found_.ends[index];
-    const double farthest = farthest_miss * scale_.reach(largest_);
-    Points back = strokes_[end.stroke].points;
-    if (!end.at_start) std::ranges::reverse(back);
-    const double own_bit = 3 * reach(end.stroke, end.stroke);
-    std::map<Index, std::vector<EndMeeting>> of_bar;
-    const Vec2 around = Vec2::Constant(farthest);
-    grid_.near_box(end.place - around, end.place + around, [&](Index i) {
-      const GridSegment& segment = grid_.segments()[i];
-      // A line passes behind its own other parts, not behind its end.
-      const auto last = static_cast<Index>(back.size() - 2);
-      const Index from_end = end.at_start ? segment.position : last - segment.position;
-      if (segment.line != end.stroke || scale_.step / 2 * from_end > own_bit)
-        add_meetings(index, back, segment, of_bar[segment.line]);
-    });
-    for (auto& [bar, meetings] : of_bar) {
-      const bool crossed = std::ranges::any_of(meetings, [](const EndMeeting& meeting) { return meeting.along < 0; });
-      for (EndMeeting& meeting : meetings) {
-        if (crossed && meeting.along > 0) meeting.cost += costs::bar_crossed;
-      }
-      for (const int side : {-1, 1}) {
-        const auto cost_there = [side](const EndMeeting& meeting) {
-          return meeting.side == side ? meeting.cost : infinity;
-        };
-        const auto best = std::ranges::min_element(meetings, {}, cost_there);
-        if (best == meetings.end() || cost_there(*best) >= dearest_meeting) continue;
-        found_.meetings.push_back(*best);
-        found_.meetings.back().cost += place_cost(*best);
-      }
-    }
-  }
-
-  /// The ways in which an end may meet a segment, behind either of its sides.
-  /// @param back the end's stroke, the end first
-  void add_meetings(Index index, const Points& back, const GridSegment& segment,
-                    std::vector<EndMeeting>& meetings) const {
-    const LineEnd& end = found_.ends[index];
-    const double usual = reach(end.stroke, segment.line);
-    // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that
-    // is.
-    const Vec2 direction = (segment.b - segment.a).normalized();
-    const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
-    for (const EndHit& hit : end_hits(back, end.outward, farthest_miss * usual, segment.a, segment.b)) {
-      const bool beside = hit.way == EndHit::Way::Beside;
-      if (beside && hit.along >= usual) continue;
-      const double miss = costs::junction_miss * costs::miss(std::abs(hit.along) / usual);
-      for (const int side : {1, -1}) {
-        const double against = costs::against_heading * std::max(0.0, -side * heading_left);
-        meetings.push_back(
-            {index, segment.line, hit.at, side, hit.along, miss + (beside ? costs::beside : 0) + against});
-      }
-    }
-  }
-
-  double place_cost(const EndMeeting& meeting) const {
-    const LineEnd& end = found_.ends[meeting.end];
-    const SampledStroke& bar = strokes_[meeting.bar];
-    double cost = costs::junction + (meeting.bar == end.stroke ? costs::own_line : 0);
-    if (!bar.closed) {
-      const double to_end = std::min((meeting.at - bar.points.front()).norm(), (meeting.at - bar.points.back()).norm());
-      cost += costs::end_of_bar * std::max(0.0, 1 - to_end / reach(end.stroke, meeting.bar));
-    }
-    const bool blocked = meeting.along > 0 && is_blocked(end.place, meeting.at, end.stroke, meeting.bar);
-    return blocked ? cost + costs::line_before_bar : cost;
-  }
-
-  const std::vector<SampledStroke>& strokes_;
-  const DrawingScale& scale_;
-  std::vector<Index> doubled_;
-  SegmentGrid grid_;
-  double largest_ = 0;  ///< size of a stroke
-  Connections found_;
 };
+
+std::vector<GridSegment> segments_but_doubled(const std::vector<SampledStroke>& strokes,
+                                              const std::vector<Index>& doubled) {
+  std::vector<GridSegment> all = stroke_segments(strokes);
+  std::erase_if(all, [&](const GridSegment& segment) { return doubled[segment.line] != no_index; });
+  return all;
+}
+
+std::vector<StrokeCrossing> crossings_of(const SegmentGrid& grid) {
+  std::map<std::pair<Index, Index>, int> counts;
+  for (const SegmentContact& contact : find_contacts(grid)) ++counts[{contact.a.line, contact.b.line}];
+  std::vector<StrokeCrossing> crossings;
+  for (const auto& [pair, count] : counts) crossings.push_back({pair.first, pair.second, count});
+  return crossings;
+}
+
+/// The cost and gap of a join of two ends; none where they are too far apart or in two objects.
+std::optional<EndJoin> join_of(const DrawnStrokes& drawn, const LineEnd& a, const LineEnd& b) {
+  const DrawingScale& scale = drawn.scale;
+  const SampledStroke& first = drawn.strokes[a.stroke];
+  const SampledStroke& second = drawn.strokes[b.stroke];
+  if (!first.object.empty() && !second.object.empty() && first.object != second.object) return std::nullopt;
+  const double distance = (b.place - a.place).norm();
+  const bool closing = a.stroke == b.stroke;
+  const double usual = closing ? std::max(scale.gap, scale.close_share * first.length)
+                               : std::max(scale.gap, scale.reach_share * (first.size + second.size) / 2);
+  const double widest = closing ? std::max(scale.close, farthest_closing * first.length)
+                                : std::max({farthest_gap * usual, least_farthest_gap * scale.unit,
+                                            farthest_opening * std::min(first.length, second.length)});
+  if (distance > widest) return std::nullopt;
+  const double share = distance / usual;
+  const double weight = distance > negligible_gap * scale.unit ? std::min(1.0, share) : 0;
+  double cost = costs::gap * (closing || share > farthest_gap ? costs::opening(share) : costs::miss(share));
+  cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, weight);
+  if (drawn.is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
+  return EndJoin{0, 0, std::min(1.0, share), cost};
+}
+
+/// Adds the ways in which an end may meet a segment, behind either of its sides.
+/// @param back the end's stroke, the end first
+void add_meetings(const DrawnStrokes& drawn, const LineEnd& end, const Points& back, const GridSegment& segment,
+                  std::vector<EndMeeting>& meetings) {
+  const double usual = drawn.reach(end.stroke, segment.line);
+  // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that is.
+  const Vec2 direction = (segment.b - segment.a).normalized();
+  const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
+  for (const EndHit& hit : end_hits(back, end.outward, farthest_miss * usual, segment.a, segment.b)) {
+    const bool beside = hit.way == EndHit::Way::Beside;
+    if (beside && hit.along >= usual) continue;
+    const double miss = costs::junction_miss * costs::miss(std::abs(hit.along) / usual);
+    for (const int side : {1, -1}) {
+      const double against = costs::against_heading * std::max(0.0, -side * heading_left);
+      const double cost = miss + (beside ? costs::beside : 0) + against;
+      meetings.push_back({0, segment.line, hit.at, side, hit.along, cost});
+    }
+  }
+}
+
+double place_cost(const DrawnStrokes& drawn, const LineEnd& end, const EndMeeting& meeting) {
+  const SampledStroke& bar = drawn.strokes[meeting.bar];
+  double cost = costs::junction + (meeting.bar == end.stroke ? costs::own_line : 0);
+  if (!bar.closed) {
+    const double to_end = std::min((meeting.at - bar.points.front()).norm(), (meeting.at - bar.points.back()).norm());
+    cost += costs::end_of_bar * std::max(0.0, 1 - to_end / drawn.reach(end.stroke, meeting.bar));
+  }
+  const bool blocked = meeting.along > 0 && drawn.is_blocked(end.place, meeting.at, end.stroke, meeting.bar);
+  return blocked ? cost + costs::line_before_bar : cost;
+}
+
+/// What an end may pass behind: on each side of each line the cheapest place.
+/// @param farthest that any end is from what it passes behind
+std::vector<EndMeeting> meetings_of(const DrawnStrokes& drawn, const LineEnd& end, double farthest) {
+  Points back = drawn.strokes[end.stroke].points;
+  if (!end.at_start) std::ranges::reverse(back);
+  const double own_bit = 3 * drawn.reach(end.stroke, end.stroke);
+  std::map<Index, std::vector<EndMeeting>> of_bar;
+  const Vec2 around = Vec2::Constant(farthest);
+  drawn.grid.near_box(end.place - around, end.place + around, [&](Index i) {
+    const GridSegment& segment = drawn.grid.segments()[i];
+    // A line passes behind its own other parts, not behind its end.
+    const auto last = static_cast<Index>(back.size() - 2);
+    const Index from_end = end.at_start ? segment.position : last - segment.position;
+    if (segment.line != end.stroke || drawn.scale.step / 2 * from_end > own_bit)
+      add_meetings(drawn, end, back, segment, of_bar[segment.line]);
+  });
+  std::vector<EndMeeting> found;
+  for (auto& [bar, meetings] : of_bar) {
+    const bool crossed = std::ranges::any_of(meetings, [](const EndMeeting& meeting) { return meeting.along < 0; });
+    for (EndMeeting& meeting : meetings) {
+      if (crossed && meeting.along > 0) meeting.cost += costs::bar_crossed;
+    }
+    for (const int side : {-1, 1}) {
+      const auto cost_there = [side](const EndMeeting& meeting) {
+        return meeting.side == side ? meeting.cost : infinity;
+      };
+      const auto best = std::ranges::min_element(meetings, {}, cost_there);
+      if (best == meetings.end() || cost_there(*best) >= dearest_meeting) continue;
+      found.push_back(*best);
+      found.back().cost += place_cost(drawn, end, *best);
+    }
+  }
+  return found;
+}
 
 }  // namespace
 
 Connections find_connections(const std::vector<SampledStroke>& strokes, const DrawingScale& scale,
                              const Progress& progress) {
-  return ConnectionSearch(strokes, scale).run(progress);
+  Connections found;
+  found.doubled = doubled_strokes(strokes, scale);
+  found.ends = ends_of(strokes, found.doubled, scale.unit);
+  const DrawnStrokes drawn{strokes, scale, SegmentGrid(segments_but_doubled(strokes, found.doubled), scale.step)};
+  found.crossings = crossings_of(drawn.grid);
+  progress.check();
+  for (Index a = 0; a < found.ends.size(); ++a) {
+    for (Index b = a + 1; b < found.ends.size(); ++b) {
+      const std::optional<EndJoin> join = join_of(drawn, found.ends[a], found.ends[b]);
+      if (join) found.joins.push_back({a, b, join->gap, join->cost});
+    }
+  }
+  progress.check();
+  double largest = 0;
+  for (const SampledStroke& stroke : strokes) largest = std::max(largest, stroke.size);
+  for (Index end = 0; end < found.ends.size(); ++end) {
+    for (EndMeeting& meeting : meetings_of(drawn, found.ends[end], farthest_miss * scale.reach(largest))) {
+      meeting.end = end;
+      found.meetings.push_back(meeting);
+    }
+  }
+  doubt_joins_at_lines(found);
+  drop_beside_plain_joins(found);
+  progress.check();
+  found.hidden = hidden_pairs(found, scale.unit);
+  return found;
 }
 
 }  // namespace croquis::silhouette

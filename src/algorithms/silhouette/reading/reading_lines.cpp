@@ -22,63 +22,39 @@ struct Chain {
 };
 
 /// Follows joined ends. Ends come in pairs (start, end) per stroke, so e ^ 1 is the other end of the same stroke.
-class ChainSearch {
- public:
-  ChainSearch(const Connections& connections, const Reading& reading)
-      : connections_(connections),
-        partner_(connections.ends.size(), no_index),
-        gap_(connections.ends.size(), 0),
-        first_end_(reading.kinds.size(), no_index),
-        done_(reading.kinds.size(), 0) {
-    for (const EndJoin& join : reading.joins) {
-      partner_[join.a] = join.b;
-      partner_[join.b] = join.a;
-      gap_[join.a] = gap_[join.b] = join.gap;
-    }
-    for (Index e = 0; e < connections.ends.size(); e += 2) first_end_[connections.ends[e].stroke] = e;
-    for (Index s = 0; s < reading.kinds.size(); ++s) {
-      if (reading.kinds[s] == LineKind::Contour && done_[s] == 0) chains_.push_back(chain_of(s));
-    }
-  }
-
-  std::vector<Chain> take() { return std::move(chains_); }
-
- private:
-  Chain chain_of(Index stroke) {
-    Chain chain;
-    done_[stroke] = 1;
-    chain.strokes.links.push_back({stroke, false});
-    chain.strokes.closed = first_end_[stroke] == no_index;
-    if (chain.strokes.closed) return chain;
-    chain.ends = {first_end_[stroke], first_end_[stroke] + 1};
-    for (Index next = partner_[chain.ends[1]]; next != no_index; next = partner_[chain.ends[1]]) {
-      const LineEnd& end = connections_.ends[next];
-      if (end.stroke == stroke) {
-        chain.strokes.closed = true;
-        chain.gap = gap_[chain.ends[1]];
-        chain.ends = {no_index, no_index};
-        return chain;
+std::vector<Chain> chains_of(const Connections& connections, const Reading& reading) {
+  std::vector<const EndJoin*> joins(connections.ends.size(), nullptr);
+  for (const EndJoin& join : reading.joins) joins[join.a] = joins[join.b] = &join;
+  std::vector<Index> first_end(reading.kinds.size(), no_index);
+  for (Index e = 0; e < connections.ends.size(); e += 2) first_end[connections.ends[e].stroke] = e;
+  std::vector<char> done(reading.kinds.size(), 0);
+  std::vector<Chain> chains;
+  for (Index s = 0; s < reading.kinds.size(); ++s) {
+    if (reading.kinds[s] != LineKind::Contour || done[s] != 0) continue;
+    Chain& chain = chains.emplace_back();
+    chain.strokes.links.push_back({s, false});
+    chain.strokes.closed = first_end[s] == no_index;
+    if (!chain.strokes.closed) chain.ends = {first_end[s], first_end[s] + 1};
+    for (const std::size_t k : {1U, 0U}) {
+      while (!chain.strokes.closed && joins[chain.ends[k]] != nullptr) {
+        const EndJoin& join = *joins[chain.ends[k]];
+        const Index next = join.a == chain.ends[k] ? join.b : join.a;
+        const LineEnd& end = connections.ends[next];
+        if (end.stroke == s) {
+          chain.strokes.closed = true;
+          chain.gap = join.gap;
+          chain.ends = {no_index, no_index};
+          break;
+        }
+        done[end.stroke] = 1;
+        auto& links = chain.strokes.links;
+        links.insert(k == 1 ? links.end() : links.begin(), {end.stroke, end.at_start == (k == 0)});
+        chain.ends[k] = next ^ 1U;
       }
-      done_[end.stroke] = 1;
-      chain.strokes.links.push_back({end.stroke, !end.at_start});
-      chain.ends[1] = next ^ 1U;
     }
-    for (Index next = partner_[chain.ends[0]]; next != no_index; next = partner_[chain.ends[0]]) {
-      const LineEnd& end = connections_.ends[next];
-      done_[end.stroke] = 1;
-      chain.strokes.links.insert(chain.strokes.links.begin(), {end.stroke, end.at_start});
-      chain.ends[0] = next ^ 1U;
-    }
-    return chain;
   }
-
-  const Connections& connections_;
-  std::vector<Index> partner_;    ///< per end
-  std::vector<double> gap_;       ///< per end
-  std::vector<Index> first_end_;  ///< per stroke
-  std::vector<char> done_;        ///< per stroke
-  std::vector<Chain> chains_;
-};
+  return chains;
+}
 
 /// Smooths a line of densely sampled points and samples it once per step.
 void finish(CleanLine& line, double step, int passes) {
@@ -140,7 +116,7 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
   }
   std::vector<Index> line_of_stroke(strokes.size(), no_index);
   std::vector<int> direction(strokes.size(), 1);  // of a stroke in its line
-  const std::vector<Chain> chains = ChainSearch(connections, reading).take();
+  const std::vector<Chain> chains = chains_of(connections, reading);
   for (const Chain& chain : chains) {
     for (const ChainLink& link : chain.strokes.links) {
       line_of_stroke[link.index] = static_cast<Index>(result.lines.size());

@@ -73,124 +73,117 @@ double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, pa
 
 }  // namespace
 
+/// What is measured of a stroke, once.
+struct ReadingProgram::Features {
+  bool closed = false;
+  double size = 0;       ///< in parts of the drawing's
+  double length = 0;     ///< in parts of all lines'
+  double width = 0;      ///< of what it encloses, in parts of the drawing's size
+  double seen = 0;       ///< see Envelope
+  double outside = 0;    ///< see Envelope
+  double shared = 0;     ///< the largest share of it on one outline
+  double crossings = 0;  ///< what they cost
+  double hanging = 0;    ///< how much of the drawing's length the strokes that touch one another up to it are
+  double pattern = 0;    ///< how much it is one of many curls or spots within everything
+  int side = 0;          ///< where the surface lies as the region that it bounds tells: left (+1), right (-1), or 0
+  std::vector<Index> regions{};  ///< on whose outlines it lies
+
+  bool is_within() const { return seen == 0 && outside == 0; }
+
+  /// Of a whole outline: what it costs that it encloses little, or is one of many.
+  double cost_as_outline() const {
+    return costs::thin_outline * std::max(0.0, 1 - width / costs::thin_width) + costs::one_of_many * pattern;
+  }
+
+  double cost(LineKind kind) const {
+    switch (kind) {
+      case LineKind::Contour: return costs::contour + crossings + (closed ? cost_as_outline() : 0);
+      case LineKind::Region:
+        return costs::stroke_of_region + costs::rest_of_stroke * (1 - shared) * std::min(1.0, 2 * size) +
+               costs::lost_of_stroke * outside;
+      case LineKind::Detail:
+        return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
+               (closed ? (1 - pattern) * (costs::closed_detail + 4 * size) : 0) + costs::detail_outside * outside;
+      case LineKind::Tube:
+        return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
+               costs::tube_size * size + costs::tube_apart * (1 - hanging);
+      case LineKind::Ignored:
+        return costs::ignored + costs::outline_left_out * seen + costs::ignored_hanging * hanging +
+               costs::ignored_length * length;
+    }
+    return 0;
+  }
+
+  double least_other_cost() const {
+    const double otherwise = std::min(cost(LineKind::Detail), cost(LineKind::Ignored));
+    return closed ? otherwise : std::min(otherwise, cost(LineKind::Tube));
+  }
+};
+
 ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
                                const Envelope& envelope)
-    : strokes_(strokes), connections_(connections), envelope_(envelope), crossings_(strokes.size(), 0) {
+    : strokes_(strokes), connections_(connections) {
+  const std::vector<Features> features = measure(envelope);
+  for (const Features& stroke : features) can_be_limb_.push_back(!stroke.closed && stroke.hanging >= 1 ? 1 : 0);
+  add_strokes(features);
+  add_regions(features, envelope.regions.size());
+  add_connections(features);
+}
+
+std::vector<ReadingProgram::Features> ReadingProgram::measure(const Envelope& envelope) const {
   Eigen::AlignedBox2d box;
-  total_length_ = 0;
-  for (const SampledStroke& stroke : strokes) {
-    total_length_ += stroke.length;
+  double total = 0;
+  DisjointSets things(strokes_.size());
+  for (const SampledStroke& stroke : strokes_) {
+    total += stroke.length;
     for (const Vec2& point : stroke.points) box.extend(point);
   }
-  extent_ = box.diagonal().norm();
-  for (const StrokeCrossing& crossing : connections.crossings) {
-    if (crossing.a == crossing.b) {
-      crossings_[crossing.a] += costs::own_crossing * std::min(crossing.count, costs::most_own_crossings);
-    } else {  // the smaller one is to blame
-      const Index smaller = strokes[crossing.a].size < strokes[crossing.b].size ? crossing.a : crossing.b;
-      crossings_[smaller] += costs::crossing * std::min(crossing.count, costs::most_crossings);
+  const double extent = box.diagonal().norm();
+  std::vector<Features> all;
+  for (Index s = 0; s < strokes_.size(); ++s) {
+    const SampledStroke& line = strokes_[s];
+    const double width = 2 * std::abs(signed_area(line.points)) / line.length / extent;
+    Features& own = all.emplace_back(Features{line.closed, share_in(line.size, extent), share_in(line.length, total),
+                                              width, envelope.seen[s], envelope.outside[s]});
+    double left = 0;
+    for (Index r = 0; r < envelope.regions.size(); ++r) {
+      const EnclosedRegion& region = envelope.regions[r];
+      own.shared = std::max(own.shared, share_in(region.shared[s], line.length));
+      left += region.left[s];
+      const double shorter = std::min(line.length, length(region.outline, true));
+      if (region.shared[s] > least_shared * shorter) own.regions.push_back(r);
     }
+    if (std::abs(left) >= sided_share * line.length) own.side = left > 0 ? 1 : -1;
   }
-  hanging_ = hanging();
-  add_strokes();
-  add_regions();
-  add_connections();
-}
-
-/// Per stroke how much of the drawing's length the strokes that touch one another up to it are, 0..1: all of it where
-/// one of them lies on the outline of a region, or they are half of the drawing, such as a man of sticks.
-std::vector<double> ReadingProgram::hanging() const {
-  DisjointSets things(strokes_.size());
-  for (const StrokeCrossing& crossing : connections_.crossings) things.unite(crossing.a, crossing.b);
-  for (const EndMeeting& meeting : connections_.meetings)
-    things.unite(connections_.ends[meeting.end].stroke, meeting.bar);
+  for (const auto& [a, b, count] : connections_.crossings) {
+    things.unite(a, b);
+    const Index smaller = strokes_[a].size < strokes_[b].size ? a : b;  // that is to blame
+    all[smaller].crossings += a == b ? costs::own_crossing * std::min(count, costs::most_own_crossings)
+                                     : costs::crossing * std::min(count, costs::most_crossings);
+  }
+  for (const EndMeeting& meeting : connections_.meetings) things.unite(stroke_of(meeting.end), meeting.bar);
   for (const EndJoin& join : connections_.joins) {
-    if (join.gap < 1) things.unite(connections_.ends[join.a].stroke, connections_.ends[join.b].stroke);
+    if (join.gap < 1) things.unite(stroke_of(join.a), stroke_of(join.b));
   }
-  std::vector<double> share(strokes_.size(), 0), hanging;
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    share[things.root(s)] += lies_on_any(s) ? 1 : 2 * share_in(strokes_[s].length, total_length_);
+  // All of the drawing hangs together where one of the strokes lies on the outline of a region, or they are half of the
+  // drawing, such as a man of sticks.
+  std::vector<double> hanging(strokes_.size(), 0);
+  for (Index s = 0; s < all.size(); ++s) hanging[things.root(s)] += all[s].regions.empty() ? 2 * all[s].length : 1;
+  for (Index s = 0; s < all.size(); ++s) {
+    constexpr double alike = 2, least = 4, most = 7;  // a face has four
+    all[s].hanging = std::min(1.0, hanging[things.root(s)]);
+    const auto is_alike = [&](const Features& other) {
+      const double ratio = other.size / all[s].size;
+      return other.is_within() && ratio < alike && ratio > 1 / alike;
+    };
+    const auto others = std::ranges::count_if(all, is_alike) - 1;
+    if (all[s].is_within()) all[s].pattern = std::clamp((static_cast<double>(others) - least) / (most - least), 0.0, 1.0);
   }
-  for (Index s = 0; s < strokes_.size(); ++s) hanging.push_back(std::min(1.0, share[things.root(s)]));
-  return hanging;
-}
-
-bool ReadingProgram::lies_on(Index stroke, const EnclosedRegion& region) const {
-  return region.shared[stroke] > least_shared * std::min(strokes_[stroke].length, length(region.outline, true));
-}
-
-bool ReadingProgram::lies_on_any(Index stroke) const {
-  return std::ranges::any_of(envelope_.regions, [&](const auto& region) { return lies_on(stroke, region); });
-}
-
-bool ReadingProgram::is_within(Index stroke) const {
-  return envelope_.seen[stroke] == 0 && envelope_.outside[stroke] == 0;
-}
-
-/// How much a stroke is one of many curls or spots within everything, 0..1. A face has four.
-double ReadingProgram::pattern(Index stroke) const {
-  constexpr double alike = 2;
-  constexpr double least = 4, most = 7;
-  if (!is_within(stroke)) return 0;
-  int others = 0;
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    const double ratio = strokes_[s].size / strokes_[stroke].size;
-    if (s != stroke && is_within(s) && ratio < alike && ratio > 1 / alike) ++others;
-  }
-  return std::clamp((others - least) / (most - least), 0.0, 1.0);
-}
-
-/// Of a stroke that is a whole outline: what it costs that it encloses little, or is one of many.
-double ReadingProgram::cost_as_outline(Index stroke) const {
-  const SampledStroke& line = strokes_[stroke];
-  const double width = 2 * std::abs(signed_area(line.points)) / line.length;
-  return costs::thin_outline * std::max(0.0, 1 - width / (costs::thin_width * extent_)) +
-         costs::one_of_many * pattern(stroke);
-}
-
-double ReadingProgram::cost(Index stroke, LineKind kind) const {
-  const SampledStroke& line = strokes_[stroke];
-  const double seen = envelope_.seen[stroke];
-  const double outside = envelope_.outside[stroke];
-  const double size = share_in(line.size, extent_);
-  switch (kind) {
-    case LineKind::Contour: return costs::contour + crossings_[stroke] + (line.closed ? cost_as_outline(stroke) : 0);
-    case LineKind::Region: {
-      double shared = 0;
-      for (const EnclosedRegion& region : envelope_.regions) shared = std::max(shared, region.shared[stroke]);
-      const double rest = 1 - share_in(shared, line.length);
-      return costs::stroke_of_region + costs::rest_of_stroke * rest * std::min(1.0, 2 * size) +
-             costs::lost_of_stroke * outside;
-    }
-    case LineKind::Detail:
-      return costs::detail + costs::outline_left_out * seen + costs::size * std::min(1.0, 2 * size) +
-             (line.closed ? (1 - pattern(stroke)) * (costs::closed_detail + 4 * size) : 0) +
-             costs::detail_outside * outside;
-    case LineKind::Tube:
-      return costs::tube + costs::outline_as_tube * seen + costs::tube_inside * (1 - outside) +
-             costs::tube_size * size + costs::tube_apart * (1 - hanging_[stroke]);
-    case LineKind::Ignored:
-      return costs::ignored + costs::outline_left_out * seen + costs::ignored_hanging * hanging_[stroke] +
-             costs::ignored_length * share_in(line.length, total_length_);
-  }
-  return 0;
-}
-
-/// The side on which a stroke's surface lies as far as the region that it bounds tells: left (+1), right (-1), or 0.
-int ReadingProgram::known_side(Index stroke) const {
-  double left = 0;
-  for (const EnclosedRegion& region : envelope_.regions) left += region.left[stroke];
-  if (std::abs(left) < sided_share * strokes_[stroke].length) return 0;
-  return left > 0 ? 1 : -1;
-}
-
-double ReadingProgram::least_other_cost(Index stroke) const {
-  const double otherwise = std::min(cost(stroke, LineKind::Detail), cost(stroke, LineKind::Ignored));
-  return strokes_[stroke].closed ? otherwise : std::min(otherwise, cost(stroke, LineKind::Tube));
+  return all;
 }
 
 /// Per stroke: what it costs at least as a contour, with the cheapest meaning of its ends.
-std::vector<double> ReadingProgram::least_contour_costs() const {
+std::vector<double> ReadingProgram::least_contour_costs(const std::vector<Features>& features) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> end(connections_.ends.size(), infinity), hidden(connections_.ends.size(), infinity);
   const auto lower = [](double& least, double cost) { least = std::min(least, cost); };
@@ -204,31 +197,31 @@ std::vector<double> ReadingProgram::least_contour_costs() const {
     lower(end[join.b], join.cost / 2);
   }
   std::vector<double> least;
-  for (Index s = 0; s < strokes_.size(); ++s) least.push_back(cost(s, LineKind::Contour));
-  for (Index e = 0; e < connections_.ends.size(); ++e) least[connections_.ends[e].stroke] += end[e];
+  for (const Features& stroke : features) least.push_back(stroke.cost(LineKind::Contour));
+  for (Index e = 0; e < connections_.ends.size(); ++e) least[stroke_of(e)] += end[e];
   return least;
 }
 
-void ReadingProgram::add_strokes() {
-  const std::vector<double> least = least_contour_costs();
+void ReadingProgram::add_strokes(const std::vector<Features>& features) {
+  const std::vector<double> least = least_contour_costs(features);
   for (Index s = 0; s < strokes_.size(); ++s) {
-    const int known = known_side(s);
+    const int known = features[s].side;
     const bool told = strokes_[s].told != StrokeKind::Visible;
-    const bool is_hopeless = !told && least[s] > least_other_cost(s) + hopeless;
+    const bool is_hopeless = !told && least[s] > features[s].least_other_cost() + hopeless;
     std::array<Sides, kind_count> kinds{};
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
       const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
-                            : kind == LineKind::Region          ? lies_on_any(s)
+                            : kind == LineKind::Region          ? !features[s].regions.empty()
                             : kind == LineKind::Tube            ? !strokes_[s].closed
                                                                 : kind != LineKind::Contour || !is_hopeless;
       const double most = possible && allowed(strokes_[s].told, kind) ? 1 : 0;
       if (kind == LineKind::Contour || kind == LineKind::Region) {
-        kinds[k][on_left] = program_.add_variable(0, known < 0 ? 0 : most, cost(s, kind));
-        kinds[k][on_right] = program_.add_variable(0, known > 0 ? 0 : most, cost(s, kind));
+        kinds[k][on_left] = program_.add_variable(0, known < 0 ? 0 : most, features[s].cost(kind));
+        kinds[k][on_right] = program_.add_variable(0, known > 0 ? 0 : most, features[s].cost(kind));
       } else {
-        kinds[k].fill(program_.add_variable(0, most, cost(s, kind)));
+        kinds[k].fill(program_.add_variable(0, most, features[s].cost(kind)));
       }
       add_terms(kinds[k], 1, one);
     }
@@ -238,15 +231,12 @@ void ReadingProgram::add_strokes() {
   kinds_end_ = program_.variable_count();
 }
 
-void ReadingProgram::add_regions() {
-  for (std::size_t k = 0; k < envelope_.regions.size(); ++k) {
-    region_.push_back(program_.add_variable(0, 1, costs::region));
-  }
+void ReadingProgram::add_regions(const std::vector<Features>& features, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) region_.push_back(program_.add_variable(0, 1, costs::region));
   for (Index s = 0; s < strokes_.size(); ++s) {
     std::vector<Term> needs_one;
     add_terms(variables(s, LineKind::Region), 1, needs_one);
-    for (std::size_t k = 0; k < region_.size(); ++k) {
-      if (!lies_on(s, envelope_.regions[k])) continue;
+    for (const Index k : features[s].regions) {
       needs_one.push_back({region_[k], -1});
       std::vector<Term> either{{region_[k], 1}};
       add_terms(variables(s, LineKind::Contour), 1, either);
@@ -256,7 +246,7 @@ void ReadingProgram::add_regions() {
   }
 }
 
-void ReadingProgram::add_connections() {
+void ReadingProgram::add_connections(const std::vector<Features>& features) {
   const std::vector<LineEnd>& ends = connections_.ends;
   std::vector<std::array<std::vector<Term>, 2>> visible(ends.size()), hidden(ends.size());  // per end and side
   for (Index e = 0; e < ends.size(); ++e) {
@@ -277,9 +267,9 @@ void ReadingProgram::add_connections() {
     return taken;
   };
   for (const EndJoin& join : connections_.joins) {
-    const Index a = ends[join.a].stroke, b = ends[join.b].stroke;
-    const bool opens_within = join.gap >= 1 && is_within(a) && is_within(b);
-    const double more = (a == b ? cost_as_outline(a) : 0) + (opens_within ? costs::opening_within : 0);
+    const Index a = stroke_of(join.a), b = stroke_of(join.b);
+    const bool opens_within = join.gap >= 1 && features[a].is_within() && features[b].is_within();
+    const double more = (a == b ? features[a].cost_as_outline() : 0) + (opens_within ? costs::opening_within : 0);
     join_.push_back(add_pair(join.a, join.b, join.cost + more, visible));
   }
   for (const EndMeeting& meeting : connections_.meetings) {
@@ -299,7 +289,7 @@ void ReadingProgram::add_connections() {
   for (const HiddenPair& pair : connections_.hidden) {
     const Index stroke = ends[pair.a].stroke;
     const bool is_limb = ends[pair.b].stroke == stroke;
-    const Sides taken = add_pair(pair.a, pair.b, pair.cost + (is_limb ? cost_as_outline(stroke) : 0), hidden);
+    const Sides taken = add_pair(pair.a, pair.b, pair.cost + (is_limb ? features[stroke].cost_as_outline() : 0), hidden);
     // The surface of a limb lies in what its line goes round.
     if (is_limb) program_.fix(taken[signed_area(strokes_[stroke].points) > 0 ? on_right : on_left], 0);
   }
@@ -338,7 +328,6 @@ std::optional<Reading> ReadingProgram::best() {
 
 void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& strokes, bool connections) {
   const auto is_meant = [&](Index stroke) { return strokes.empty() || std::ranges::count(strokes, stroke) > 0; };
-  const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
   std::vector<Term> all;
   double count = 0;
   const auto add = [&](const Sides& taken) {
@@ -369,13 +358,13 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
 void ReadingProgram::add_open_lines() {
   for (Index s = 0; s < strokes_.size(); ++s) open_.push_back(program_.add_variable(0, 1, 0));
   for (std::size_t i = 0; i < meeting_.size(); ++i) {
-    std::vector<Term> row{{open_[connections_.ends[connections_.meetings[i].end].stroke], -1}};
+    std::vector<Term> row{{open_[stroke_of(connections_.meetings[i].end)], -1}};
     add_terms(meeting_[i], 1, row);
     program_.add_row(std::move(row), -1, 0);
   }
   for (std::size_t i = 0; i < join_.size(); ++i) {
-    const Index a = open_[connections_.ends[connections_.joins[i].a].stroke];
-    const Index b = open_[connections_.ends[connections_.joins[i].b].stroke];
+    const Index a = open_[stroke_of(connections_.joins[i].a)];
+    const Index b = open_[stroke_of(connections_.joins[i].b)];
     if (a == b) continue;
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       std::vector<Term> row{{from, 1}, {to, -1}};
@@ -387,7 +376,6 @@ void ReadingProgram::add_open_lines() {
 
 bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at) {
   DisjointSets lines(strokes_.size());
-  const auto stroke_of = [&](Index end) { return connections_.ends[end].stroke; };
   for (const EndJoin& join : reading.joins) lines.unite(stroke_of(join.a), stroke_of(join.b));
   const auto is_open = [&](Index stroke) {
     return reading.kinds[stroke] == LineKind::Contour &&
@@ -439,8 +427,7 @@ void ReadingProgram::set_most(IntegerProgram& program, Index stroke, LineKind ki
 
 void ReadingProgram::forbid_loss(Index stroke) {
   set_most(program_, stroke, LineKind::Detail, 0);
-  const bool can_be_limb = !strokes_[stroke].closed && hanging_[stroke] >= 1;
-  if (can_be_limb) set_most(program_, stroke, LineKind::Ignored, 0);
+  if (can_be_limb_[stroke] != 0) set_most(program_, stroke, LineKind::Ignored, 0);
 }
 
 void ReadingProgram::forbid(LineKind kind) {

@@ -71,31 +71,21 @@ class ReadingProgram {
   static constexpr std::size_t kind_count = 5;
   /// With the surface on the left, and on the right; twice the same of kinds that bound no surface.
   using Sides = std::array<Index, 2>;
+  struct Features;  ///< of a stroke
 
   const Sides& variables(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
+  Index stroke_of(Index end) const { return connections_.ends[end].stroke; }
   void set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const;
-  std::vector<double> hanging() const;
-  bool lies_on(Index stroke, const EnclosedRegion& region) const;
-  bool lies_on_any(Index stroke) const;
-  bool is_within(Index stroke) const;
-  double pattern(Index stroke) const;
-  double cost_as_outline(Index stroke) const;
-  double cost(Index stroke, LineKind kind) const;
-  int known_side(Index stroke) const;
-  double least_other_cost(Index stroke) const;
-  std::vector<double> least_contour_costs() const;
-  void add_strokes();
-  void add_regions();
-  void add_connections();
+  std::vector<Features> measure(const Envelope& envelope) const;
+  std::vector<double> least_contour_costs(const std::vector<Features>& features) const;
+  void add_strokes(const std::vector<Features>& features);
+  void add_regions(const std::vector<Features>& features, std::size_t count);
+  void add_connections(const std::vector<Features>& features);
   void add_open_lines();
 
   const std::vector<SampledStroke>& strokes_;
   const Connections& connections_;
-  const Envelope& envelope_;
-  double extent_ = 1;  ///< size of the largest
-  double total_length_ = 1;
-  std::vector<double> crossings_;  ///< per stroke: what they cost
-  std::vector<double> hanging_;    ///< per stroke
+  std::vector<char> can_be_limb_;  ///< per stroke
   IntegerProgram program_;
   int nodes_ = 0;  ///< looked at by all searches
   std::vector<std::array<Sides, kind_count>> kind_;

@@ -57,66 +57,48 @@ Vec2 nearest_on(const std::vector<CleanLine>& contours, const Vec2& place) {
   return found;
 }
 
-class LimbSearch {
- public:
-  LimbSearch(const SampledDrawing& sampled, const std::vector<CleanLine>& contours) : contours_(contours) {
-    Eigen::AlignedBox2d box;
-    for (const SampledStroke& stroke : sampled.strokes) {
-      for (const Vec2& point : stroke.points) box.extend(point);
-    }
-    usual_width_ = width_share * box.diagonal().norm();
+/// @param line outside everything but for a bit at the ends that start or end within
+Limb limb_along(Points line, bool starts_within, bool ends_within, double width,
+                const std::vector<CleanLine>& contours) {
+  // Ends that nearly reach something are led into it.
+  const auto led = [&](const Vec2& end, bool& within) {
+    const Vec2 place = nearest_on(contours, end);
+    const double miss = (place - end).norm();
+    if (miss == 0 || miss > farthest_miss * width) return end;
+    within = true;
+    return Vec2(place + depth_within * width / miss * (place - end));
+  };
+  if (!starts_within) line.insert(line.begin(), led(line.front(), starts_within));
+  if (!ends_within) line.push_back(led(line.back(), ends_within));
+  const std::vector<double> arcs = arc_lengths(line, false);
+  Limb limb{std::move(line), {}, 0};
+  for (std::size_t i = 0; i < limb.line.size(); ++i) {
+    const double root = (depth_within + root_length) * width;
+    const bool at_root = (starts_within && arcs[i] < root) || (ends_within && arcs.back() - arcs[i] < root);
+    const double distance = (nearest_on(contours, limb.line[i]) - limb.line[i]).norm();
+    limb.radius.push_back(at_root ? width / 2 : std::clamp(distance_share * distance, thinnest * width / 2, width / 2));
   }
+  return limb;
+}
 
-  /// The stretches of a stroke outside everything, and a bit of it within at both ends.
-  void add(const SampledStroke& stroke) {
-    const double width = std::min(usual_width_, slenderness * stroke.length);
-    const Points points = even_points(stroke.points, stroke.closed, place_share * width);
-    std::vector<bool> inside;
-    for (const Vec2& point : points) inside.push_back(is_inside(point, contours_));
-    const auto more = static_cast<std::size_t>(depth_within / place_share) + 1;
-    for (std::size_t begin = 0; begin < points.size();) {
-      std::size_t end = begin;
-      while (end < points.size() && inside[end] == inside[begin]) ++end;
-      if (!inside[begin] && end - begin > 1) {
-        const std::size_t first = begin - std::min(begin, more), last = std::min(points.size(), end + more);
-        add(Points(points.begin() + static_cast<std::ptrdiff_t>(first),
-                   points.begin() + static_cast<std::ptrdiff_t>(last)),
-            first<begin, last> end, width, stroke.stroke);
-      }
-      begin = end;
-    }
+/// Adds the stretches of a stroke outside everything, and a bit of it within at both ends.
+void add_limbs(const SampledStroke& stroke, double usual_width, const std::vector<CleanLine>& contours,
+               std::vector<Limb>& limbs) {
+  const double width = std::min(usual_width, slenderness * stroke.length);
+  const Points points = even_points(stroke.points, stroke.closed, place_share * width);
+  std::vector<bool> inside;
+  for (const Vec2& point : points) inside.push_back(is_inside(point, contours));
+  const auto more = static_cast<std::size_t>(depth_within / place_share) + 1;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    while (end < points.size() && inside[end] == inside[begin]) ++end;
+    if (inside[begin] || end - begin < 2) continue;
+    const std::size_t first = begin - std::min(begin, more), last = std::min(points.size(), end + more);
+    limbs.push_back(limb_along(
+        Points(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last)),
+        first < begin, last > end, width, contours));
+    limbs.back().stroke = stroke.stroke;
   }
-
-  std::vector<Limb> take() { return std::move(limbs_); }
-
- private:
-  void add(Points line, bool starts_within, bool ends_within, double width, Index stroke) {
-    // Ends that nearly reach something are led into it.
-    const auto led = [&](const Vec2& end, bool& within) {
-      const Vec2 place = nearest_on(contours_, end);
-      const double miss = (place - end).norm();
-      if (miss == 0 || miss > farthest_miss * width) return end;
-      within = true;
-      return Vec2(place + depth_within * width / miss * (place - end));
-    };
-    if (!starts_within) line.insert(line.begin(), led(line.front(), starts_within));
-    if (!ends_within) line.push_back(led(line.back(), ends_within));
-    const std::vector<double> arcs = arc_lengths(line, false);
-    Limb limb{std::move(line), {}, stroke};
-    for (std::size_t i = 0; i < limb.line.size(); ++i) {
-      const double root = (depth_within + root_length) * width;
-      const bool at_root = (starts_within && arcs[i] < root) || (ends_within && arcs.back() - arcs[i] < root);
-      const double distance = (nearest_on(contours_, limb.line[i]) - limb.line[i]).norm();
-      limb.radius.push_back(at_root ? width / 2
-                                    : std::clamp(distance_share * distance, thinnest * width / 2, width / 2));
-    }
-    limbs_.push_back(std::move(limb));
-  }
-
-  const std::vector<CleanLine>& contours_;
-  double usual_width_ = 1;
-  std::vector<Limb> limbs_;
-};
+}
 
 namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
@@ -183,11 +165,15 @@ CleanLine line_of(const Points& ring, const std::vector<Limb>& limbs, double ste
 
 std::vector<CleanLine> tube_outlines(const SampledDrawing& sampled, const Reading& reading,
                                      const std::vector<CleanLine>& contours) {
-  LimbSearch search(sampled, contours);
-  for (Index s = 0; s < reading.kinds.size(); ++s) {
-    if (reading.kinds[s] == LineKind::Tube) search.add(sampled.strokes[s]);
+  Eigen::AlignedBox2d box;
+  for (const SampledStroke& stroke : sampled.strokes) {
+    for (const Vec2& point : stroke.points) box.extend(point);
   }
-  const std::vector<Limb> limbs = search.take();
+  std::vector<Limb> limbs;
+  for (Index s = 0; s < reading.kinds.size(); ++s) {
+    if (reading.kinds[s] == LineKind::Tube)
+      add_limbs(sampled.strokes[s], width_share * box.diagonal().norm(), contours, limbs);
+  }
   if (limbs.empty()) return {};
   const SmallFrame frame{limbs.front().line.front(), sampled.scale.unit};
   Polygons all;

@@ -38,7 +38,7 @@ Approach approach_of(const CleanLine& line, const CleanLine& other, double reach
     const Vec2& point = line.points[i];
     Approach here{i};
     if (const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, reach)) {
-      const GridSegment& segment = grid.segments()[nearest->segment];
+      const GridSegment& segment = nearest->segment;
       const Vec2 way = nearest->at - point;
       here.distance = nearest->distance;
       here.direction =

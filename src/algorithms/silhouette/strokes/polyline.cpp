@@ -148,7 +148,7 @@ std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> h
     const double fraction = crossing_fraction(end, ahead, a, b);
     hits.push_back({EndHit::Way::Ahead, fraction * reach, end + fraction * (ahead - end)});
   }
-  const Vec2 nearest = a + nearest_parameter(end, a, b) * (b - a);
+  const Vec2 nearest = nearest_on_segment(end, a, b);
   hits.push_back({EndHit::Way::Beside, (nearest - end).norm(), nearest});
   return hits;
 }
@@ -170,6 +170,21 @@ double size_of(std::span<const Vec2> points, bool closed) {
   if (!(length > 0)) return 0;
   const Vec2 middle = first / length;
   return std::sqrt(12 * std::max(0.0, second / length - middle.squaredNorm()));
+}
+
+std::optional<double> typical_spacing(std::span<const Vec2> places, const std::vector<char>& counts) {
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < places.size() && places.size() > 1; ++i) {
+    if (counts[i] == 0) continue;
+    nearest.push_back(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (k != i) nearest.back() = std::min(nearest.back(), (places[k] - places[i]).norm());
+    }
+  }
+  if (nearest.empty()) return std::nullopt;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
 }
 
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,10 @@ inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, con
   return cross(c - a, d - c) / cross(b - a, d - c);
 }
 
+inline Vec2 nearest_on_segment(const Vec2& place, const Vec2& a, const Vec2& b) {
+  return a + nearest_parameter(place, a, b) * (b - a);
+}
+
 /// A way in which the end of a line may meet a segment.
 struct EndHit {
   enum class Way { Across, Ahead, Beside };  ///< the line runs across it, heads for it, ends near it
@@ -74,6 +79,9 @@ std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> h
 /// How large a line is, however it is turned and sampled: the length of the straight line that is spread as widely
 /// about its middle (has the same radius of gyration). A circle's is 1.2 times the diagonal of its bounding box.
 double size_of(std::span<const Vec2> points, bool closed);
+
+/// The median distance from a place that counts to the nearest other place; none where there is no other.
+std::optional<double> typical_spacing(std::span<const Vec2> places, const std::vector<char>& counts);
 
 /// Over how much of a line's end its direction is taken, in steps of the resampled line.
 inline constexpr double tangent_steps = 6;

@@ -9,16 +9,12 @@
 namespace croquis::silhouette {
 namespace {
 
-Vec2 nearest_on_segment(const Vec2& place, const GridSegment& segment) {
-  return segment.a + nearest_parameter(place, segment.a, segment.b) * (segment.b - segment.a);
-}
-
 /// An end of one of two segments that is nearer than `reach` to the other one.
 std::optional<Vec2> touching_end(const GridSegment& a, const GridSegment& b, double reach) {
   const bool neighbours = a.line == b.line && (a.b == b.a || b.b == a.a);
   if (neighbours || !(reach > 0)) return std::nullopt;
   for (const auto& [end, other] : {std::pair(a.a, &b), {a.b, &b}, {b.a, &a}, {b.b, &a}}) {
-    if ((nearest_on_segment(end, *other) - end).norm() < reach) return end;
+    if ((nearest_on_segment(end, other->a, other->b) - end).norm() < reach) return end;
   }
   return std::nullopt;
 }
@@ -55,10 +51,9 @@ SegmentGrid::Range SegmentGrid::range(const Vec2& low, const Vec2& high) const {
 
 std::optional<SegmentGrid::Place> SegmentGrid::nearest(const Vec2& place, double reach) const {
   std::optional<Place> best;
-  near_box(place - Vec2::Constant(reach), place + Vec2::Constant(reach), [&](Index i) {
-    const Vec2 at = nearest_on_segment(place, segments_[i]);
+  near_place(place, reach, [&](const GridSegment& segment, const Vec2& at) {
     const double distance = (at - place).norm();
-    if (distance < (best ? best->distance : reach)) best = {i, at, distance};
+    if (distance < (best ? best->distance : reach)) best = {segment, at, distance};
   });
   return best;
 }

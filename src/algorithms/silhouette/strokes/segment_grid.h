@@ -23,7 +23,7 @@ struct GridSegment {
 class SegmentGrid {
  public:
   struct Place {
-    Index segment = 0;
+    GridSegment segment;
     Vec2 at = Vec2::Zero();
     double distance = 0;
   };
@@ -39,8 +39,7 @@ class SegmentGrid {
   void near_place(const Vec2& place, double reach, Visit visit) const {
     const Vec2 around = Vec2::Constant(reach);
     near_box(place - around, place + around, [&](Index i) {
-      const auto& [a, b, line, position] = segments_[i];
-      const Vec2 nearest = a + nearest_parameter(place, a, b) * (b - a);
+      const Vec2 nearest = nearest_on_segment(place, segments_[i].a, segments_[i].b);
       if ((place - nearest).norm() <= reach) visit(segments_[i], nearest);
     });
   }

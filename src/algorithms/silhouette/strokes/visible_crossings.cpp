@@ -173,8 +173,7 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
     Vec2& point = line.points[i % line.points.size()];
     const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, 2 * tremble);
     if (!nearest || (encloses(cover, point) == run.meant && nearest->distance >= distance)) continue;
-    const GridSegment& segment = grid.segments()[nearest->segment];
-    point = nearest->at + side * distance * left_of((segment.b - segment.a).normalized());
+    point = nearest->at + side * distance * left_of((nearest->segment.b - nearest->segment.a).normalized());
   }
 }
 
