@@ -71,9 +71,6 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
 constexpr int most_readings = 8;
 // And so many connections of the same strokes before their kinds must change.
 constexpr int most_connections = 3;
-// A reading that is right can nearly always be labelled by its first matchings; one that is wrong tries them all.
-constexpr int most_matchings = 30;
-constexpr int most_later_matchings = 12;
 
 void append(Findings from, Findings& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
 
@@ -225,9 +222,7 @@ void mark_tubes(LabelledDrawing& labelled) {
   }
 }
 
-/// @param matchings of hidden ends that are tried at most
-LabelledDrawing label_reading(const Material& material, const Reading& reading, int matchings,
-                              const Progress& progress) {
+LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
   const Drawing& drawing = material.drawing;
   DrawingScale scale = material.sampled.scale;
   const StrokeOptions& options = material.options.strokes;
@@ -251,9 +246,9 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
-  Options bounded = material.options;
-  bounded.completion.maximum_matchings = std::min(bounded.completion.maximum_matchings, matchings);
-  const FigureContext context{drawing, bounded, scale, lines, junctions, order, completion_reference(lines, junctions)};
+  const FigureContext context{drawing,   material.options, scale,
+                              lines,     junctions,        order,
+                              completion_reference(lines, junctions)};
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
   result.crossings = std::move(order.pairs);
@@ -391,8 +386,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (tried == most_readings + 1) program.forbid(LineKind::Tube);
     const std::optional<Reading> reading = program.best();
     if (!reading) continue;
-    LabelledDrawing labelled =
-        label_reading(material, *reading, tried == 0 ? most_matchings : most_later_matchings, progress);
+    LabelledDrawing labelled = label_reading(material, *reading, progress);
     append(left_out(material, *reading), labelled.findings);
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) {
       const std::vector<Index> lost = lost_details(material, *reading, labelled);

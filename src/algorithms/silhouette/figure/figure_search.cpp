@@ -25,8 +25,7 @@ constexpr std::size_t maximum_arcs = 10'000;
 // Samples nearer to a crossing than this share of their segment give way to it: no slivers beside crossings. Next the
 // same when that is too coarse for two lines that run close to one another.
 constexpr std::array<double, 2> mergings{0.15, 1e-4};
-// What lies in the open in one of so many likeliest matchings gets other shapes, so many times.
-constexpr int reshaped_matchings = 12;
+// What lies in the open gets other shapes, so many times.
 constexpr int maximum_reshapings = 4;
 // What leaving out an end costs, far above all completions.
 constexpr double cost_left_out = 1e4;
@@ -119,7 +118,6 @@ bool reshape(const Trial& trial, const PartLines& part, std::vector<ChosenComple
 /// @param arcs  crossed so far
 std::optional<LabelledFigure> try_matching(const FigureContext& context, const PartLines& part,
                                            const Matching& matching, int tried, std::size_t& arcs) {
-  const int reshapings = tried < reshaped_matchings ? maximum_reshapings : 0;
   std::vector<ChosenCompletion> chosen = in_likeliest_shapes(matching);
   for (int round = 0;; ++round) {
     Trial trial = arrange(context, part, chosen, tried > 0 && round == 0);
@@ -134,7 +132,7 @@ std::optional<LabelledFigure> try_matching(const FigureContext& context, const P
       if (figure) figure->nested = std::move(nested);
       return figure;
     }
-    if (round == reshapings || !reshape(trial, part, chosen)) return std::nullopt;
+    if (round == maximum_reshapings || !reshape(trial, part, chosen)) return std::nullopt;
   }
 }
 
