@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
-#include "algorithms/silhouette/strokes/tremble.h"
+#include "algorithms/silhouette/strokes/jitter.h"
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sample_count.h"
@@ -250,13 +250,13 @@ TEST_CASE("where a trembling line ends, its direction is that of a longer piece"
   }
   line.size = size_of(line.points, false);
   const auto misdirected = [&] { return std::acos(std::min(1.0, end_direction(line, false, scale).x())); };
-  scale.tremble = 0;
+  scale.jitter = 0;
   CHECK(misdirected() > 0.5);
-  scale.tremble = 1;
+  scale.jitter = 1;
   CHECK(misdirected() < 0.2);
   // Drawn exactly, a bend is followed.
   for (Vec2& point : line.points) point.y() = 200 - std::sqrt(200 * 200 - std::pow(point.x() / 3, 2));
-  scale.tremble = 0;
+  scale.jitter = 0;
   const Vec2 end = line.points.back();
   const Vec2 along = Vec2(200 - end.y(), end.x() / 3 / 3).normalized();
   CHECK(cross(along, end_direction(line, false, scale)) == Approx(0).margin(0.01));

@@ -17,7 +17,7 @@
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/tremble.h"
+#include "algorithms/silhouette/strokes/jitter.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
 
@@ -231,7 +231,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   std::vector<CleanLine>& lines = contours.lines;
   Findings findings = material.sampled.findings;
   append(std::move(contours.findings), findings);
-  if (scale.reach_share > 0) scale.tremble = tremble_of(lines, scale.step);
+  if (scale.reach_share > 0) scale.jitter = jitter_of(lines, scale.step);
   for (CleanLine& line : lines) {
     for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }

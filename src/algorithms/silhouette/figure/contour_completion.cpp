@@ -122,10 +122,10 @@ bool turns_once(const SeenEnd& a, const SeenEnd& b, const Cubic& curve) {
 }
 
 /// What a piece costs at most, since it closes a limb.
-double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, double tremble) {
+double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, double jitter) {
   if (a.line != b.line) {
     // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
-    return tremble < 1 && turns_once(a, b, curve) ? costs::limb_cap / (1 - tremble) : no_limit;
+    return jitter < 1 && turns_once(a, b, curve) ? costs::limb_cap / (1 - jitter) : no_limit;
   }
   // A line that passes behind itself goes on there, and the two sides of a handle belong together.
   if (a.bar == a.line || b.bar == b.line || a.handle != 0) return no_limit;
@@ -144,7 +144,7 @@ struct StripFit {
 
 // Within 30, 12 and 8 degrees: a hand's last samples are uncertain.
 constexpr StripFit strip_fit{0.866, 0.978, 0.99, 0.25, 1};
-// Behind a strand a strip is hidden for a short piece only, and a hand's tremble may turn its ends and make it
+// Behind a strand a strip is hidden for a short piece only, and an unsteady hand may turn its ends and make it
 // narrower: within 75, 60 and 40 degrees.
 constexpr StripFit strand_fit{0.25, 0.5, 0.77, 0.6, 0.5, 2.5};
 // A strand is narrow: no wider than this share of the size of its outlines.
@@ -275,10 +275,10 @@ bool is_among_limbs(const std::vector<SeenEnd>& ends, const Strip& strip, const 
 /// Strips of which three or more would cross one another, and those that lie among limbs like their two ends, cost
 /// more: they are petals or arms all round.
 ///
-/// Behind something as narrow as another strip, the two sides may be bent aside and less even: there a hand's tremble
+/// Behind something as narrow as another strip, the two sides may be bent aside and less even: there an unsteady hand
 /// turns the ends of strands of knots and chains.
 /// O(s²) for s straight candidates.
-void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEnd>& ends, double tremble,
+void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEnd>& ends, double jitter,
                    std::vector<CompletionCandidate>& candidates) {
   const std::vector<Side> sides = straight_sides(ends, candidates);
   std::vector<Strip> strips;
@@ -286,7 +286,7 @@ void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEn
     for (auto other = one + 1; other != sides.end(); ++other) {
       const Strip strip = strip_between(*one, *other);
       if (strip.least_width <= 0) continue;
-      const bool bent = tremble > 0 && is_behind_strand(lines, strip);
+      const bool bent = jitter > 0 && is_behind_strand(lines, strip);
       if (fits(strip, strip_fit) || (bent && fits(strip, strand_fit))) strips.push_back(strip);
     }
   }
@@ -307,13 +307,13 @@ bool may_join(const SeenEnd& a, const SeenEnd& b) {
 }
 
 /// Gives a candidate its curve, and the costs that what is seen of both lines tells.
-void judge_shape(const SeenEnd& a, const SeenEnd& b, double tremble, double reference, const CompletionOptions& options,
+void judge_shape(const SeenEnd& a, const SeenEnd& b, double jitter, double reference, const CompletionOptions& options,
                  CompletionCandidate& candidate) {
   const int agreed = a.likely_side == -b.likely_side ? a.likely_side : 0;
   candidate.curve = completion_curve(a.place, a.tangent, b.place, b.tangent);
   candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
   if (agreed == 0) candidate.opposition = costs::opposite_sides * std::min(a.roundness, b.roundness);
-  candidate.most = highest_cost(a, b, candidate.curve, tremble);
+  candidate.most = highest_cost(a, b, candidate.curve, jitter);
 }
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
@@ -379,13 +379,13 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
         // No curve is shorter than its chord.
         const double chord = (seen[k].place - seen[i].place).norm();
         if (options.length_weight * chord > options.maximum_cost * reference) continue;
-        judge_shape(seen[i], seen[k], junctions.tremble, reference, options, candidate);
+        judge_shape(seen[i], seen[k], junctions.jitter, reference, options, candidate);
         if (candidate.cost() > options.maximum_cost) continue;
       }
       candidates.push_back(std::move(candidate));
     }
   }
-  favour_strips(lines, seen, junctions.tremble, candidates);
+  favour_strips(lines, seen, junctions.jitter, candidates);
   const DrawnCover cover(lines, junctions);
   for (CompletionCandidate& candidate : candidates) {
     const SeenEnd& a = seen[candidate.a];

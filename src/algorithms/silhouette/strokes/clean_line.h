@@ -62,14 +62,14 @@ struct DrawingScale {
   double close_share = 0;  ///< of a stroke's length
   double aside_share = 0;  ///< of a stroke's length
   double reach_share = 0;  ///< of a line's size
-  double tremble = 0;      ///< see `tremble_of`; 0 where tolerances don't go by size
+  double jitter = 0;      ///< see `jitter_of`; 0 where tolerances don't go by size
 
   /// How far an end may miss a line when the larger of the two has this size.
   double reach(double size) const { return std::max(snap, reach_share * size); }
 
   /// How far two lines, the smaller of this size, may come beyond one another without being meant to cross: some u, and
   /// a share of the size where the hand was as unsteady as can be.
-  double shallow(double size) const { return std::max(2 * unit, 0.05 * tremble * size); }
+  double shallow(double size) const { return std::max(2 * unit, 0.05 * jitter * size); }
 };
 
 }  // namespace croquis::silhouette

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/tremble.h"
+#include "algorithms/silhouette/strokes/jitter.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -215,7 +215,7 @@ Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& l
                          const std::vector<SampledStroke>& hidden, const VisibleCrossings& order,
                          const DrawingScale& scale, const Progress& progress) {
   Junctions junctions;
-  junctions.tremble = scale.tremble;
+  junctions.jitter = scale.jitter;
   junctions.sides = order.sides;
   junctions.sides.resize(lines.size(), 0);
   for (Index line = 0; line < lines.size(); ++line) {

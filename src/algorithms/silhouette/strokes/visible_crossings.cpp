@@ -22,7 +22,7 @@ namespace {
 
 // Closed lines that come nearer than this (u) are moved apart.
 constexpr double touching = 0.2;
-// Samples on the wrong side are moved to this share of the tremble on the right one.
+// Samples on the wrong side are moved to this share of what counts as shallow on the right one.
 constexpr double moved_share = 0.5;
 // Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
 constexpr double touch_distance = 0.1;
@@ -122,7 +122,7 @@ struct LineRun {
   double end = 0;
   bool inside = false;  ///< of the cover, as drawn
   bool meant = false;   ///< to be inside
-  double depth = 0;     ///< how far it gets away from the cover, counted up to twice the tremble
+  double depth = 0;     ///< how far it gets away from the cover, counted up to twice of what is shallow
 };
 
 /// Ascending parameters of the places where a line crosses another one.
@@ -152,54 +152,54 @@ std::vector<LineRun> runs_between(const std::vector<double>& crossings, const Cl
 }
 
 /// Runs that are too shallow are meant to lie where the next one towards the deepest one does.
-void join_shallow_runs(std::vector<LineRun>& runs, bool closed, double tremble) {
+void join_shallow_runs(std::vector<LineRun>& runs, bool closed, double shallow) {
   const auto count = static_cast<std::ptrdiff_t>(runs.size());
   const auto deepest = std::ranges::max_element(runs, {}, &LineRun::depth) - runs.begin();
   const auto run = [&](std::ptrdiff_t k) -> LineRun& { return runs[static_cast<std::size_t>(k % count)]; };
   for (std::ptrdiff_t k = deepest + 1; k < (closed ? deepest + count : count); ++k) {
-    if (run(k).depth < tremble) run(k).meant = run(k - 1).meant;
+    if (run(k).depth < shallow) run(k).meant = run(k - 1).meant;
   }
   for (std::ptrdiff_t k = deepest; !closed && k-- > 0;) {
-    if (run(k).depth < tremble) run(k).meant = run(k + 1).meant;
+    if (run(k).depth < shallow) run(k).meant = run(k + 1).meant;
   }
 }
 
 /// Moves the samples of a run, and those next to it, to one side of the cover. Ends of open lines stay on their bars.
-void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid, const LineRun& run, double tremble) {
+void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid, const LineRun& run, double shallow) {
   const int side = (signed_area(cover.points) > 0) == run.meant ? 1 : -1;
-  const double distance = moved_share * tremble;
+  const double distance = moved_share * shallow;
   for (auto i = static_cast<Index>(run.begin); i <= std::ceil(run.end); ++i) {
     if (!line.closed && (i == 0 || i + 1 >= line.points.size())) continue;
     Vec2& point = line.points[i % line.points.size()];
-    const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, 2 * tremble);
+    const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, 2 * shallow);
     if (!nearest || (encloses(cover, point) == run.meant && nearest->distance >= distance)) continue;
     point = nearest->at + side * distance * left_of((nearest->segment.b - nearest->segment.a).normalized());
   }
 }
 
-/// Runs that stay within the tremble of a closed line are moved to its other side, and a line that only touches it is
+/// Runs that stay near to a closed line are moved to its other side, and a line that only touches it is
 /// moved off it.
 /// @returns one of the places where the two are meant to cross
-std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double tremble, double step) {
+std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double shallow, double step) {
   const SegmentGrid grid(line_segments({cover}), step);
   const std::vector<double> crossings = crossing_parameters(line, cover, step);
   if (crossings.empty()) {
     const bool inside = encloses(cover, line.points.front());
-    move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, tremble);
+    move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, shallow);
     return std::nullopt;
   }
   // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
   if (line.closed && crossings.size() % 2 != 0) return std::nullopt;
   std::vector<LineRun> runs = runs_between(crossings, line, cover);
   for (LineRun& run : runs) {
-    for (auto i = static_cast<Index>(std::ceil(run.begin)); i <= run.end && run.depth < 2 * tremble; ++i) {
-      const auto nearest = grid.nearest(line.points[i % line.points.size()], 2 * tremble);
-      run.depth = std::max(run.depth, nearest ? nearest->distance : 2 * tremble);
+    for (auto i = static_cast<Index>(std::ceil(run.begin)); i <= run.end && run.depth < 2 * shallow; ++i) {
+      const auto nearest = grid.nearest(line.points[i % line.points.size()], 2 * shallow);
+      run.depth = std::max(run.depth, nearest ? nearest->distance : 2 * shallow);
     }
   }
-  join_shallow_runs(runs, line.closed, tremble);
+  join_shallow_runs(runs, line.closed, shallow);
   for (const LineRun& run : runs) {
-    if (run.meant != run.inside) move_aside(line, cover, grid, run, tremble);
+    if (run.meant != run.inside) move_aside(line, cover, grid, run, shallow);
   }
   const auto other = std::ranges::find(runs, !runs.front().meant, &LineRun::meant);
   return other == runs.end() ? std::nullopt : std::optional(point_at(line.points, other->begin));
@@ -273,8 +273,8 @@ VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<Cle
     CleanLine& line = lines[cover.behind];
     const CleanLine& front = lines[cover.front];
     const bool grown = line.grows() || front.grows();
-    const double tremble = grown ? 0 : scale.shallow(std::min(line.size, front.size));  // a limb's end may cover little
-    const std::optional<Vec2> at = settle_crossings(line, front, tremble, scale.step);
+    const double shallow = grown ? 0 : scale.shallow(std::min(line.size, front.size));  // a limb's end may cover little
+    const std::optional<Vec2> at = settle_crossings(line, front, shallow, scale.step);
     if (!at) continue;
     found.in_front.emplace(cover.front, cover.behind);
     found.behind.insert(cover.behind);

@@ -30,7 +30,7 @@ struct VisibleCrossings {
 ///
 /// Of two closed lines the one drawn later is in front, unless it is told to lie behind (stroke_data.h). A closed line
 /// covers an open one. Two open lines, and a line that crosses itself, stay as they are: nothing tells which part is in
-/// front. Where two lines nearly touch, a hand's tremble makes them cross several times, or not at all: the one behind
+/// front. Where two lines nearly touch, an unsteady hand makes them cross several times, or not at all: the one behind
 /// is moved there, so that what is left are crossings that were meant.
 /// @param tubes_only other lines that cross stay as they are
 /// @param lines     ends that pass behind something lie on it; moved where they nearly touch

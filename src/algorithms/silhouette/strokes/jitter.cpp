@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/strokes/tremble.h"
+#include "algorithms/silhouette/strokes/jitter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr double steadiest_share = 0.25;
 // The piece whose direction is taken then, as a share of the line's size.
 constexpr double direction_share = 0.2;
 
-// More crossings than this are no tremble.
+// More crossings than this weren't made by an unsteady hand.
 constexpr int most_crossings = 30;
 // Nor is one nearer to an end than so many times what an end may miss.
 constexpr double free_reach = 2;
@@ -75,7 +75,7 @@ std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, con
 
 }  // namespace
 
-double tremble_of(const std::vector<CleanLine>& lines, double step) {
+double jitter_of(const std::vector<CleanLine>& lines, double step) {
   std::vector<std::pair<double, double>> all;  // unevenness and length
   double length = 0;
   for (const CleanLine& line : lines) {
@@ -96,10 +96,10 @@ double tremble_of(const std::vector<CleanLine>& lines, double step) {
 Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& scale) {
   const double reach = tangent_steps * scale.step;
   const Vec2 tangent = end_tangent(line.points, at_start, reach);
-  if (scale.tremble <= 0) return tangent;
+  if (scale.jitter <= 0) return tangent;
   const double longest = std::min(direction_share * line.size, croquis::length(line.points, false) / 2);
   const Vec2 straight = straight_direction(line.points, at_start, std::max(reach, longest));
-  const Vec2 mixed = (1 - scale.tremble) * tangent + scale.tremble * straight;
+  const Vec2 mixed = (1 - scale.jitter) * tangent + scale.jitter * straight;
   return mixed.norm() > 0 ? Vec2(mixed.normalized()) : straight;
 }
 

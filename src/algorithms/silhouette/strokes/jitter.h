@@ -10,10 +10,10 @@ namespace croquis::silhouette {
 /// How unsteady the hand was that drew some lines, from 0 (not more than bends explain) to 1 (the direction of a short
 /// piece means nothing). Judged by the fourth differences of places a twelfth of a line's size apart, which cubic
 /// curves don't have: the median over a line, as a share of its size, and the lower quartile of the lines by length.
-double tremble_of(const std::vector<CleanLine>& lines, double step);
+double jitter_of(const std::vector<CleanLine>& lines, double step);
 
 /// Outward unit direction in which an open line ends. Of lines drawn by an unsteady hand a longer piece is taken, and
-/// the straight line through it: there a short piece follows the tremble. The same for both directions of drawing.
+/// the straight line through it: there a short piece follows the jitter. The same for both directions of drawing.
 Vec2 end_direction(const CleanLine& line, bool at_start, const DrawingScale& scale);
 
 /// Leads a line drawn by hand apart where it crosses itself. Where the two sides of something thin crossed it is led on
