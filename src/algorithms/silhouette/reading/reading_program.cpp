@@ -357,11 +357,10 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
 /// A line has hidden ends when an end of one of its strokes meets a bar.
 void ReadingProgram::add_open_lines() {
   for (Index s = 0; s < strokes_.size(); ++s) open_.push_back(program_.add_variable(0, 1, 0));
-  for (std::size_t i = 0; i < meeting_.size(); ++i) {
-    std::vector<Term> row{{open_[stroke_of(connections_.meetings[i].end)], -1}};
-    add_terms(meeting_[i], 1, row);
-    program_.add_row(std::move(row), -1, 0);
-  }
+  std::vector<std::vector<Term>> meets_bar;  // per end
+  for (const LineEnd& end : connections_.ends) meets_bar.push_back({{open_[end.stroke], -1}});
+  for (std::size_t i = 0; i < meeting_.size(); ++i) add_terms(meeting_[i], 1, meets_bar[connections_.meetings[i].end]);
+  for (std::vector<Term>& row : meets_bar) program_.add_row(std::move(row), -1, 0);
   for (std::size_t i = 0; i < join_.size(); ++i) {
     const Index a = open_[stroke_of(connections_.joins[i].a)];
     const Index b = open_[stroke_of(connections_.joins[i].b)];
@@ -388,9 +387,8 @@ bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, 
   std::vector<Term> terms;
   double most = -1;
   for (const Index stroke : std::set{a, b}) {
-    add_terms(variables(stroke, LineKind::Contour), 1, terms);
     terms.push_back({open_[stroke], 1});
-    most += 2;
+    ++most;
   }
   // Other connections may cut off the end that crosses.
   for (std::size_t i = 0; i < meeting_.size(); ++i) {
