@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -61,6 +62,70 @@ TEST_CASE("small integer programs agree with trying everything") {
     for (std::size_t i = 0; i < 4; ++i) value += cost[i] * solution.values[i];
     CHECK(value == Approx(best));
   }
+}
+
+TEST_CASE("while each solution is excluded all of them come, the cheapest first") {
+  test::Random random(22);
+  for (int round = 0; round < 30; ++round) {
+    constexpr int count = 7;
+    IntegerProgram program;
+    std::vector<double> cost;
+    for (int i = 0; i < count; ++i) {
+      cost.push_back(static_cast<double>(random.below(9)) - 4);
+      program.add_variable(0, 1, cost.back());
+    }
+    std::vector<std::vector<int>> rows;
+    for (int r = 0; r < 3; ++r) {
+      rows.emplace_back();
+      std::vector<IntegerProgram::Term> terms;
+      for (Index i = 0; i < count; ++i) {
+        rows.back().push_back(static_cast<int>(random.below(5)) - 2);
+        if (rows.back().back() != 0) terms.push_back({i, static_cast<double>(rows.back().back())});
+      }
+      program.add_row(terms, -1, 2);
+    }
+    std::vector<double> expected;
+    for (int code = 0; code < 1 << count; ++code) {
+      double value = 0;
+      const auto taken = [&](int i) { return (code >> i) & 1; };
+      for (int i = 0; i < count; ++i) value += cost[static_cast<std::size_t>(i)] * taken(i);
+      const bool feasible = std::ranges::all_of(rows, [&](const std::vector<int>& row) {
+        int sum = 0;
+        for (int i = 0; i < count; ++i) sum += row[static_cast<std::size_t>(i)] * taken(i);
+        return sum >= -1 && sum <= 2;
+      });
+      if (feasible) expected.push_back(value);
+    }
+    std::ranges::sort(expected);
+    std::vector<double> found;
+    for (auto solution = program.solve(1000); !solution.values.empty(); solution = program.solve(1000)) {
+      REQUIRE(solution.status == IntegerProgram::Status::Optimal);
+      double value = 0, ones = 0;
+      std::vector<IntegerProgram::Term> same;
+      for (Index i = 0; i < count; ++i) {
+        value += cost[i] * solution.values[i];
+        ones += solution.values[i];
+        same.push_back({i, solution.values[i] == 1 ? 1.0 : -1.0});
+      }
+      found.push_back(value);
+      program.add_row(std::move(same), -IntegerProgram::unbounded, ones - 1);
+    }
+    CHECK(program.solve(1000).status == IntegerProgram::Status::Infeasible);
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]).margin(1e-9));
+  }
+}
+
+TEST_CASE("after a change of bounds the search begins anew") {
+  IntegerProgram program;
+  const Index x = program.add_variable(0, 3, 1);
+  const Index y = program.add_variable(0, 3, 2);
+  program.add_row({{x, 1}, {y, 1}}, 3, 5);
+  CHECK(program.solve(100).values == std::vector<int>{3, 0});
+  program.set_bounds(x, 0, 1);
+  CHECK(program.solve(100).values == std::vector<int>{1, 2});
+  program.set_bounds(x, 0, 3);
+  CHECK(program.solve(100).values == std::vector<int>{3, 0});
 }
 
 TEST_CASE("contradicting rows are infeasible") {
