@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "algorithms/silhouette/strokes/jitter.h"
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sample_count.h"

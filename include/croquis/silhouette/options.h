@@ -53,9 +53,10 @@ static_assert(lists_every_member<StrokeOptions>);
 struct CompletionOptions {
   double length_weight = 1;
   double curvature_weight = 0.3;
-  double maximum_cost = 40;     ///< dearer candidates are not tried
-  /// Ways to connect hidden ends that are tried for a part: a count, never a clock, so that the same drawing always gives
-  /// the same answer. What is right can nearly always be labelled by the first ways; what is wrong tries them all.
+  double maximum_cost = 40;  ///< dearer candidates are not tried
+  /// Ways to connect hidden ends that are tried for a part: a count, never a clock, so that the same drawing always
+  /// gives the same answer. What is right can nearly always be labelled by the first ways; what is wrong tries them
+  /// all.
   int maximum_matchings = 8;
 };
 constexpr auto members(const CompletionOptions& options) {

@@ -246,9 +246,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
-  const FigureContext context{drawing,   material.options, scale,
-                              lines,     junctions,        order,
-                              completion_reference(lines, junctions)};
+  const FigureContext context{
+      drawing, material.options, scale, lines, junctions, order, completion_reference(lines, junctions)};
   Progress silent = progress.silent();
   LabelledDrawing result = label_parts(context, junctions.findings, silent);
   result.crossings = std::move(order.pairs);

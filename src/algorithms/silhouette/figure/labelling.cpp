@@ -18,7 +18,7 @@ constexpr double rule_cost = 2500;
 // Area decides only between labellings of equal depth.
 constexpr double area_cost = 0.01;
 // Drawings need a handful of nodes; this bounds the rest.
-constexpr int labelling_nodes = 5000;
+constexpr int labelling_nodes = 1000;
 // Any rule that can be broken explains something.
 constexpr int blaming_nodes = 40;
 constexpr double unbounded = IntegerProgram::unbounded;
@@ -89,8 +89,7 @@ void add_step(const ContourCrossing::Strand& strand, Index crossing, Terms terms
 void add_crossing_rules(Index k, LabellingProgram& labels) {
   const ContourCrossing& crossing = labels.arrangement.crossings[k];
   IntegerProgram& program = labels.program;
-  const Index x = program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0);
-  labels.over.push_back(x);
+  const Index x = labels.over[k];
   for (Index s = 0; s < 2; ++s) {
     const ContourCrossing::Strand& upper = crossing.strands[s];
     const ContourCrossing::Strand& lower = crossing.strands[1 - s];
@@ -153,12 +152,16 @@ void add_layer_rules(LabellingProgram& labels) {
 
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules) {
   LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}, {}};
-  add_depths(labels);
   add_sides(labels);
+  for (const ContourCrossing& crossing : arrangement.crossings) {
+    labels.over.push_back(labels.program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0));
+  }
+  const Index first = labels.program.variable_count();  // all else follows from sides and what lies over what
+  add_depths(labels);
   for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing_rules(k, labels);
   if (!faces.winding.empty()) add_layer_rules(labels);
   const std::vector<int> values =
-      labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes).values;
+      labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes, 0, first).values;
   Labelling result;
   if (values.empty()) return result;
   const auto broken = [&](const Slacks& slacks) {

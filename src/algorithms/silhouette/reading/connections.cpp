@@ -44,7 +44,7 @@ constexpr double plain_margin = 0.6;
 // Hidden pieces are candidates up to this length, in typical distances of ends, and so many of them for an end.
 constexpr double longest_hidden = 40;
 constexpr double usual_spacing = 100, least_spacing = 4;  // u
-constexpr double shortest_hidden = 0.1;  // u
+constexpr double shortest_hidden = 0.1;                   // u
 constexpr std::ptrdiff_t most_hidden = 7;
 
 /// Where an open stroke begins or ends that wasn't drawn over another one.
@@ -161,9 +161,7 @@ struct DrawnStrokes {
   const DrawingScale& scale;
   SegmentGrid grid;
 
-  double reach(Index one, Index other) const {
-    return scale.reach(std::max(strokes[one].size, strokes[other].size));
-  }
+  double reach(Index one, Index other) const { return scale.reach(std::max(strokes[one].size, strokes[other].size)); }
 
   /// Whether a line of other strokes lies between two places.
   bool is_blocked(const Vec2& from, const Vec2& to, Index one, Index other) const {

@@ -20,8 +20,8 @@ using Term = IntegerProgram::Term;
 
 // Bounds of the search for one reading: branches, and how much better than it another one may be. The first reading
 // gets all that it needs of the branches for all of them; the last resort needs hardly any.
-constexpr int maximum_reading_nodes = 300;
-constexpr int maximum_nodes = 600;
+constexpr int maximum_reading_nodes = 200;
+constexpr int maximum_nodes = 400;
 constexpr int least_nodes = 20;
 constexpr double reading_gap = 0.003;
 // A stroke bounds the region on one side of it when it does so over this share of its length.
@@ -177,7 +177,8 @@ std::vector<ReadingProgram::Features> ReadingProgram::measure(const Envelope& en
       return other.is_within() && ratio < alike && ratio > 1 / alike;
     };
     const auto others = std::ranges::count_if(all, is_alike) - 1;
-    if (all[s].is_within()) all[s].pattern = std::clamp((static_cast<double>(others) - least) / (most - least), 0.0, 1.0);
+    if (all[s].is_within())
+      all[s].pattern = std::clamp((static_cast<double>(others) - least) / (most - least), 0.0, 1.0);
   }
   return all;
 }
@@ -289,7 +290,8 @@ void ReadingProgram::add_connections(const std::vector<Features>& features) {
   for (const HiddenPair& pair : connections_.hidden) {
     const Index stroke = ends[pair.a].stroke;
     const bool is_limb = ends[pair.b].stroke == stroke;
-    const Sides taken = add_pair(pair.a, pair.b, pair.cost + (is_limb ? features[stroke].cost_as_outline() : 0), hidden);
+    const Sides taken =
+        add_pair(pair.a, pair.b, pair.cost + (is_limb ? features[stroke].cost_as_outline() : 0), hidden);
     // The surface of a limb lies in what its line goes round.
     if (is_limb) program_.fix(taken[signed_area(strokes_[stroke].points) > 0 ? on_right : on_left], 0);
   }
@@ -397,11 +399,6 @@ bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, 
     const bool cuts =
         meeting.along < 0 && -meeting.along > cut_share * (connections_.ends[meeting.end].place - at).norm();
     if ((stroke == a || stroke == b) && cuts && !contains(reading.meetings, meeting)) add_terms(meeting_[i], -1, terms);
-  }
-  for (std::size_t i = 0; i < join_.size(); ++i) {
-    const EndJoin& join = connections_.joins[i];
-    const auto both = std::minmax({stroke_of(join.a), stroke_of(join.b)});
-    if (both == std::minmax({a, b}) && !contains(reading.joins, join)) add_terms(join_[i], -1, terms);
   }
   program_.add_row(std::move(terms), -IntegerProgram::unbounded, most);
   return true;

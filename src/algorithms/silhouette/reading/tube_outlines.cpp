@@ -95,7 +95,7 @@ void add_limbs(const SampledStroke& stroke, double usual_width, const std::vecto
     const std::size_t first = begin - std::min(begin, more), last = std::min(points.size(), end + more);
     limbs.push_back(limb_along(
         Points(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last)),
-        first < begin, last > end, width, contours));
+        first<begin, last> end, width, contours));
     limbs.back().stroke = stroke.stroke;
   }
 }

@@ -62,7 +62,7 @@ struct DrawingScale {
   double close_share = 0;  ///< of a stroke's length
   double aside_share = 0;  ///< of a stroke's length
   double reach_share = 0;  ///< of a line's size
-  double jitter = 0;      ///< see `jitter_of`; 0 where tolerances don't go by size
+  double jitter = 0;       ///< see `jitter_of`; 0 where tolerances don't go by size
 
   /// How far an end may miss a line when the larger of the two has this size.
   double reach(double size) const { return std::max(snap, reach_share * size); }

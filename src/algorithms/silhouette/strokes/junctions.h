@@ -35,7 +35,7 @@ struct Junctions {
   std::vector<HiddenEnd> ends;  ///< by line, its start first
   std::vector<int> sides;       ///< per line: surface on its left (+1), right (-1), or not given by any stem (0)
   std::vector<GivenPiece> given;
-  double jitter = 0;     ///< of the hand, see `jitter_of`
+  double jitter = 0;      ///< of the hand, see `jitter_of`
   LineFindings findings;  ///< E_NO_LABELLING, E_CROSS, E_TOUCH; E_HIDDEN_STROKE of those that join no two ends
 };
 

@@ -35,7 +35,8 @@ std::vector<double> ring_widths(const Points& inner, const Points& outer) {
   for (std::size_t i = 0; i < inner.size(); i += step) {
     double width = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < outer.size(); ++k) {
-      width = std::min(width, (nearest_on_segment(inner[i], outer[k], outer[(k + 1) % outer.size()]) - inner[i]).norm());
+      width =
+          std::min(width, (nearest_on_segment(inner[i], outer[k], outer[(k + 1) % outer.size()]) - inner[i]).norm());
     }
     widths.push_back(width);
   }
