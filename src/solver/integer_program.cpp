@@ -20,7 +20,7 @@ namespace {
 
 // Far above what the relaxations of a drawing need (some hundred); a guard against cycling.
 constexpr int maximum_simplex_iterations = 200'000;
-// What of a number is lost in a relaxation.
+// Nearer to a whole number than this a relaxation's value is one.
 constexpr double whole_tolerance = 1e-5;
 constexpr double cost_tolerance = 1e-9;
 
@@ -105,9 +105,13 @@ class IntegerProgram::Relaxation {
         code = glp_simplex(problem_, &simplex);
       }
       if (code == 0 && glp_get_status(problem_) == GLP_OPT) cost = glp_get_obj_val(problem_);
+      gave_up_ = gave_up_ || (code != 0 && glp_get_status(problem_) != GLP_NOFEAS);
     });
     return cost;
   }
+
+  /// Whether the simplex method ended before it knew.
+  bool gave_up() const { return gave_up_; }
 
   double value(Index variable) const { return glp_get_col_prim(problem_, number(variable)); }
 
@@ -158,6 +162,7 @@ class IntegerProgram::Relaxation {
   glp_prob* problem_ = nullptr;  ///< goes with the environment
   std::vector<int> columns_;     ///< outlives jumps
   std::vector<double> factors_;
+  bool gave_up_ = false;
 };
 
 Index IntegerProgram::add_variable(double lower, double upper, double cost) {
@@ -291,7 +296,7 @@ IntegerProgram::Solution IntegerProgram::solve_part(Part& part, int maximum_node
       branch(part, std::move(node), *relaxation, first);
       descending = part.open.size() > others + 1;
     }
-    solution.status = Status::Infeasible;
+    solution.status = relaxation && relaxation->gave_up() ? Status::Limit : Status::Infeasible;
   };
   in_own_environment(search);
   return solution;

@@ -40,7 +40,7 @@ class IntegerProgram {
   /// it, the next search goes on where this one ended: the k best solutions are found by excluding each in turn, at
   /// little more than what one costs. Variables that no rows connect are solved for apart: together their branches
   /// would multiply. Prints nothing; bounds are counts.
-  /// @param maximum_nodes branches to look at; beyond them at most as many for the first solution of a part
+  /// @param maximum_nodes branches to look at
   /// @param gap   solutions that may be better by this share at most count as optimal
   /// @param first variables before this one are branched on first: those that the others follow from
   /// @throws Error (E_INTERNAL) when GLPK refuses the problem

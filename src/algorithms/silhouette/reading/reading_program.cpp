@@ -165,8 +165,8 @@ std::vector<ReadingProgram::Features> ReadingProgram::measure(const Envelope& en
   for (const EndJoin& join : connections_.joins) {
     if (join.gap < 1) things.unite(stroke_of(join.a), stroke_of(join.b));
   }
-  // All of the drawing hangs together where one of the strokes lies on the outline of a region, or they are half of the
-  // drawing, such as a man of sticks.
+  // Strokes that touch one another hang on the drawing where one of them lies on the outline of a region, or where they
+  // are half of the drawing themselves, such as a man of sticks.
   std::vector<double> hanging(strokes_.size(), 0);
   for (Index s = 0; s < all.size(); ++s) hanging[things.root(s)] += all[s].regions.empty() ? 2 * all[s].length : 1;
   for (Index s = 0; s < all.size(); ++s) {
