@@ -46,7 +46,7 @@ int count_crossings(const std::vector<ContourPath>& paths) {
   }
   int count = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = i + 1; k < all.size(); ++k) count += cross_properly(all[i].a, all[i].b, all[k].a, all[k].b);
+    for (std::size_t k = i + 1; k < all.size(); ++k) count += segments_cross(all[i].a, all[i].b, all[k].a, all[k].b);
   }
   return count;
 }

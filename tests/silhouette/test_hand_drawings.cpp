@@ -194,7 +194,7 @@ TEST_CASE("the two sides of something thin that a trembling hand let cross are l
     const std::size_t n = line.points.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        count += cross_properly(line.points[i], line.points[(i + 1) % n], line.points[k], line.points[(k + 1) % n]);
+        count += segments_cross(line.points[i], line.points[(i + 1) % n], line.points[k], line.points[(k + 1) % n]);
       }
     }
     return count;

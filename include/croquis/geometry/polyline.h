@@ -7,7 +7,8 @@
 #include "croquis/geometry/vector.h"
 
 /// Plane polylines as spans of points (#P by 2, finite). A closed one joins its last point to its first, which is not
-/// repeated. All functions are linear in the points they read and write.
+/// repeated. A place on one is a parameter: the index of its segment plus the fraction along it. All functions are
+/// linear in the points they read and write.
 namespace croquis {
 
 /// Arc length from the first point to the start of each segment, and the whole length at the end: as many as points,
@@ -16,6 +17,30 @@ std::vector<double> arc_lengths(std::span<const Vec2> points, bool closed);
 
 /// Sum of the segments' lengths; 0 for fewer than two points.
 double length(std::span<const Vec2> points, bool closed);
+
+/// The place at a parameter; of a closed line parameters run on through the closing segment.
+Vec2 point_at(std::span<const Vec2> points, double parameter);
+
+/// Parameters of places spread evenly, at most `spacing` * 1.5 apart and close to `spacing`, through every fixed point.
+/// Open lines keep both ends. The result is the same for both directions of drawing.
+/// @param fixed ascending indices of points to keep
+std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, double spacing,
+                                    std::span<const Index> fixed = {});
+
+/// Those places themselves.
+std::vector<Vec2> even_points(std::span<const Vec2> points, bool closed, double spacing);
+
+/// Parameter of the place so far along an open line from its start, or back from its end; its other end where the line
+/// is shorter.
+double parameter_along(std::span<const Vec2> points, bool from_start, double distance);
+
+/// Parameter of the place that is nearest to another one, within the segments from `first` to before `last`. Of a
+/// closed line the last segment leads back to the first point.
+double nearest_on_line(std::span<const Vec2> points, const Vec2& place, Index first, Index last);
+
+/// Points where an evenly sampled line turns by more than an angle (radians) within `reach` to either side: the
+/// sharpest of each bend.
+std::vector<Index> corners_of(std::span<const Vec2> points, bool closed, double reach, double angle);
 
 /// Fairing without shrinking: each pass moves every point by lambda, then by mu, towards the middle of its neighbours.
 struct TaubinOptions {
@@ -33,7 +58,19 @@ std::vector<Vec2> taubin_smooth(std::span<const Vec2> points, bool closed, const
 /// Area enclosed by a closed polyline, counter-clockwise positive, overlaps counted as often as they are wound around.
 double signed_area(std::span<const Vec2> polygon);
 
+/// How often a closed polyline goes round a place that isn't on it, counter-clockwise positive. Exact.
+int winding_number(std::span<const Vec2> polygon, const Vec2& place);
+
+/// Whether a place lies inside a closed polyline, by the parity of crossings.
+inline bool encloses(std::span<const Vec2> polygon, const Vec2& place) {
+  return winding_number(polygon, place) % 2 != 0;
+}
+
 /// Parameter in 0..1 of the place on the segment from a to b, which may have no length, that is nearest to a point.
 double nearest_parameter(const Vec2& point, const Vec2& a, const Vec2& b);
+
+inline Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  return a + nearest_parameter(point, a, b) * (b - a);
+}
 
 }  // namespace croquis

@@ -17,43 +17,6 @@ constexpr double corner_turn = 55 * std::numbers::pi / 180;
 constexpr double least_reach = 5;   // pixels on both sides over which the turn of a corner is measured, or
 constexpr double corner_reach = 4;  // half widths, if that is more
 
-/// Points at even distances, both ends among them.
-std::vector<Vec2> evenly_spaced(const TracedLine& line) {
-  const std::vector<Vec2>& points = line.points;
-  const std::vector<double> lengths = arc_lengths(points, line.closed);
-  const double whole = length(points, line.closed);
-  const auto count = static_cast<std::size_t>(std::max(3.0, std::round(whole / spacing)));
-  std::vector<Vec2> result;
-  std::size_t segment = 0;
-  for (std::size_t i = 0; i < count + (line.closed ? 0 : 1); ++i) {
-    const double way = whole * static_cast<double>(i) / static_cast<double>(count);
-    while (segment + 2 < lengths.size() && lengths[segment + 1] < way) ++segment;
-    const Vec2 &a = points[segment], &b = points[(segment + 1) % points.size()];
-    const double step = (b - a).norm();
-    result.push_back(step > 0 ? Vec2(a + std::min(1.0, (way - lengths[segment]) / step) * (b - a)) : a);
-  }
-  return result;
-}
-
-/// Where a line turns sharply: the points that turn most within `reach` points.
-std::vector<std::size_t> corners_of(const std::vector<Vec2>& points, bool closed, std::size_t reach) {
-  const std::size_t n = points.size();
-  std::vector<double> turns(n);
-  if (n < 2 * reach + 1) return {};
-  for (std::size_t i = closed ? 0 : reach; i < (closed ? n : n - reach); ++i) {
-    const Vec2 before = points[i] - points[(i + n - reach) % n], after = points[(i + reach) % n] - points[i];
-    turns[i] = std::abs(std::atan2(cross(before, after), before.dot(after)));
-  }
-  std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < n; ++i) {
-    bool is_corner = turns[i] > corner_turn;
-    for (std::size_t k = 1; k <= reach && is_corner; ++k)
-      is_corner = turns[i] > turns[(i + n - k) % n] && turns[i] >= turns[(i + k) % n];
-    if (is_corner) corners.push_back(i);
-  }
-  return corners;
-}
-
 /// Adds points along the curves through a row that has no corner inside; the row's last point isn't added.
 void add_curves(const std::vector<Vec3>& row, BezierFitOptions options, std::vector<Vec2>& result) {
   options.tolerance = tolerance;
@@ -75,12 +38,13 @@ Vec3 in_space(const Vec2& point) { return {point.x(), point.y(), 0}; }
 }  // namespace
 
 TracedLine smooth_curve(const TracedLine& line, double half_width) {
-  std::vector<Vec2> points = evenly_spaced(line);
-  const auto reach = static_cast<std::size_t>(std::lround(std::max(least_reach, corner_reach * half_width) / spacing));
-  const std::vector<std::size_t> corners = corners_of(points, line.closed, reach);
+  const double apart = std::min(spacing, length(line.points, line.closed) / 3);
+  std::vector<Vec2> points = even_points(line.points, line.closed, apart);
+  const double reach = std::max(least_reach, corner_reach * half_width);
+  const std::vector<Index> corners = corners_of(points, line.closed, reach, corner_turn);
   TaubinOptions fairing;
   fairing.fixed.assign(points.size(), false);
-  for (const std::size_t corner : corners) fairing.fixed[corner] = true;
+  for (const Index corner : corners) fairing.fixed[corner] = true;
   points = taubin_smooth(points, line.closed, fairing);
   TracedLine result{{}, line.closed};
   const std::size_t n = points.size();

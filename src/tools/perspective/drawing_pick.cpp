@@ -66,17 +66,6 @@ std::vector<Vec2> loop_of(const PerspectiveDrawing& drawing, const std::vector<s
   return (loop.back() - loop.front()).norm() > reach ? std::vector<Vec2>() : loop;
 }
 
-bool is_inside(const std::vector<Vec2>& loop, const Vec2& place) {
-  bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    if ((a.y() > place.y()) == (b.y() > place.y())) continue;
-    if (place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
-}
-
 }  // namespace
 
 std::optional<std::string> nearest_stroke(const PerspectiveDrawing& drawing, const Vec2& place, double reach) {
@@ -130,7 +119,7 @@ std::optional<std::size_t> face_at(const PerspectiveDrawing& drawing,
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const std::vector<Vec2> loop = loop_of(drawing, loops[i]);
     const double area = std::abs(signed_area(loop));
-    if (!is_inside(loop, place) || area >= least) continue;
+    if (!encloses(loop, place) || area >= least) continue;
     least = area;
     smallest = i;
   }

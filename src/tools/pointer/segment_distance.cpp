@@ -7,22 +7,10 @@
 #include "croquis/geometry/predicates.h"
 
 namespace croquis {
-namespace {
-
-double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
-  return (a + nearest_parameter(point, a, b) * (b - a) - point).norm();
-}
-
-}  // namespace
-
-bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
-}
-
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (segments_cross(a, b, c, d)) return 0;
-  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
-                   distance_to_segment(d, a, b)});
+  return std::min({(nearest_on_segment(a, c, d) - a).norm(), (nearest_on_segment(b, c, d) - b).norm(),
+                   (nearest_on_segment(c, a, b) - c).norm(), (nearest_on_segment(d, a, b) - d).norm()});
 }
 
 std::size_t segment_count(const Stroke& stroke) {

@@ -8,9 +8,6 @@
 
 namespace croquis {
 
-/// Whether two plane segments cross inside both, exactly.
-bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-
 /// Smallest distance of two plane segments, which may have no length; 0 when they cross.
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 

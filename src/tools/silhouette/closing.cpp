@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/geometry/polyline.h"
+#include "croquis/geometry/predicates.h"
 #include "croquis/tools/silhouette/stroke_pick.h"
 #include "tools/pointer/segment_distance.h"
 #include "tools/silhouette/stroke_places.h"
@@ -43,8 +44,6 @@ constexpr double steepest_step = 0.7;
 
 /// Of the closing distance: a joining piece shorter than this has no useful direction.
 constexpr double no_step = 0.1;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 struct ClosingCandidate {
   Closing closing;

@@ -10,11 +10,11 @@
 #include "algorithms/attribute_surface/edits/edit_errors.h"
 #include "algorithms/attribute_surface/edits/element_removal.h"
 #include "algorithms/attribute_surface/edits/loop_shape.h"
-#include "algorithms/attribute_surface/edits/mean_value.h"
 #include "algorithms/attribute_surface/network/loop_curves.h"
 #include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/attribute_surface/arc_length_curve.h"
 #include "croquis/attribute_surface/face_edit.h"
+#include "croquis/geometry/polyline.h"
 
 namespace croquis {
 namespace {
@@ -85,7 +85,7 @@ class HalfTest {
 
   template <typename Place>
   bool in_first(const Place& place) const {
-    return is_inside(outline_, map_(place));
+    return encloses(outline_, map_(place));
   }
 
  private:

@@ -46,15 +46,4 @@ std::vector<double> mean_value_weights(std::span<const Vec2> polygon, const Vec2
   return weights;
 }
 
-bool is_inside(std::span<const Vec2> polygon, const Vec2& place) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[(i + 1) % polygon.size()];
-    if ((a.y() > place.y()) == (b.y() > place.y())) continue;
-    inside ^= place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-  }
-  return inside;
-}
-
 }  // namespace croquis

@@ -13,7 +13,4 @@ namespace croquis {
 /// @param polygon at least 3 corners, in either direction, convex or not
 std::vector<double> mean_value_weights(std::span<const Vec2> polygon, const Vec2& place);
 
-/// Whether a place lies in a polygon, by the parity of crossings.
-bool is_inside(std::span<const Vec2> polygon, const Vec2& place);
-
 }  // namespace croquis

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/geometry/polygon_area.h"
+#include "croquis/geometry/predicates.h"
 
 namespace croquis {
 namespace {
@@ -31,12 +32,6 @@ constexpr std::size_t crossing_step = 4;
 
 /// A loop this close to its mean plane is a flat face after all (× diagonal).
 constexpr double flat_loop = 1e-7;
-
-bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double abc = cross(b - a, c - a), abd = cross(b - a, d - a);
-  const double cda = cross(d - c, a - c), cdb = cross(d - c, b - c);
-  return abc * abd < 0 && cda * cdb < 0;
-}
 
 bool crosses_itself(const std::vector<Vec3>& polygon, const Vec3& normal) {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/geometry/polygon_area.h"
+#include "croquis/geometry/polyline.h"
 
 namespace croquis {
 namespace {
@@ -27,16 +28,6 @@ struct TracedLoop {
   std::vector<Vec2> outline;
   double area = 0;  ///< positive: around a bounded region; negative: around a connected part, seen from outside
 };
-
-bool outline_contains(const std::vector<Vec2>& outline, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vec2 &a = outline[i], &b = outline[j];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) inside = !inside;
-  }
-  return inside;
-}
 
 /// The drawing that edges make in a plane, walked around.
 class PlaneArrangement {
@@ -200,7 +191,7 @@ class PlaneCandidates {
     for (Index r = 0; r < loops_.size(); ++r) {
       if (loops_[r].area <= -part.area || (found != no_index && loops_[r].area >= loops_[found].area)) continue;
       if (own.contains(graph_.origin(loops_[r].halves[0]))) continue;
-      if (outline_contains(loops_[r].outline, part.outline[0])) found = r;
+      if (encloses(loops_[r].outline, part.outline[0])) found = r;
     }
     return found;
   }

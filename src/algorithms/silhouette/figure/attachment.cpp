@@ -14,24 +14,17 @@ namespace {
 
 using Pairs = std::set<std::pair<Index, Index>>;
 
-/// How often a contour goes round a place, counterclockwise positive.
-int winding_round(const LabelledFigure& figure, const FigureContour& contour, const Vec2& place) {
-  int winding = 0;
-  const std::size_t count = contour.vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 a = figure.points[contour.vertices[i]] - place;
-    const Vec2 b = figure.points[contour.vertices[(i + 1) % count]] - place;
-    if ((a.y() > 0) == (b.y() > 0)) continue;
-    const bool upwards = b.y() > a.y();
-    if ((cross(a, b) > 0) == upwards) winding += upwards ? 1 : -1;
-  }
-  return winding;
+std::vector<Vec2> points_of(const LabelledFigure& figure, const FigureContour& contour) {
+  std::vector<Vec2> points;
+  for (const Index v : contour.vertices) points.push_back(figure.points[v]);
+  return points;
 }
 
 bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
   int layers = 0;
   for (const Index c : figure.objects[object].contours) {
-    layers += figure.contours[c].side * winding_round(figure, figure.contours[c], place);
+    const FigureContour& contour = figure.contours[c];
+    layers += contour.side * winding_number(points_of(figure, contour), place);
   }
   return layers > 0;
 }
@@ -39,9 +32,7 @@ bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
 double area_of(const LabelledFigure& figure, Index object) {
   double area = 0;
   for (const Index c : figure.objects[object].contours) {
-    std::vector<Vec2> points;
-    for (const Index v : figure.contours[c].vertices) points.push_back(figure.points[v]);
-    area += figure.contours[c].side * signed_area(points);
+    area += figure.contours[c].side * signed_area(points_of(figure, figure.contours[c]));
   }
   return area;
 }

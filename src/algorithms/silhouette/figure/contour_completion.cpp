@@ -66,7 +66,7 @@ void find_handles(std::vector<SeenEnd>& ends) {
     const Vec2& middle = inner.drawn->points[inner.drawn->points.size() / 2];
     for (SeenEnd& outer : ends) {
       if (!is_free(outer) || inner.line == outer.line || bars(inner) != bars(outer)) continue;
-      if (!encloses(*outer.drawn, middle)) continue;
+      if (!encloses(outer.drawn->points, middle)) continue;
       inner.handle = -1;
       outer.handle = 1;
     }
@@ -240,7 +240,7 @@ bool crosses(const Strip& strip, const Strip& other) {
   const Side& one = strip.sides[0];
   const Side& two = other.sides[0];
   return std::abs(cross(one.direction, two.direction)) > crossing_sine &&
-         cross_properly(one.ends[0]->place, one.ends[1]->place, two.ends[0]->place, two.ends[1]->place);
+         segments_cross(one.ends[0]->place, one.ends[1]->place, two.ends[0]->place, two.ends[1]->place);
 }
 
 /// Whether both sides of a strip end in one line, which is the outline of a limb.
@@ -410,7 +410,7 @@ int DrawnCover::missing(const Points& piece) const {
     const Vec2& b = piece[i + 1];
     grid_.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index k) {
       const GridSegment& s = grid_.segments()[k];
-      if (!cross_properly(a, b, s.a, s.b)) return;
+      if (!segments_cross(a, b, s.a, s.b)) return;
       const int to_left = cross(s.b - s.a, b - a) > 0 ? 1 : -1;
       changes.emplace_back(static_cast<double>(i) + crossing_fraction(a, b, s.a, s.b), to_left * sides_[s.line]);
     });

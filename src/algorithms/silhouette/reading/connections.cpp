@@ -169,7 +169,7 @@ struct DrawnStrokes {
     grid.near_box(from.cwiseMin(to), from.cwiseMax(to), [&](Index i) {
       const GridSegment& segment = grid.segments()[i];
       if (segment.line == one || segment.line == other) return;
-      blocked = blocked || cross_properly(from, to, segment.a, segment.b);
+      blocked = blocked || segments_cross(from, to, segment.a, segment.b);
     });
     return blocked;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -11,7 +12,8 @@
 namespace croquis::silhouette {
 namespace {
 
-// Bends sharper than 60 degrees within this many steps are corners.
+// Bends sharper than this angle within so many steps are corners.
+constexpr double corner_angle = std::numbers::pi / 3;
 constexpr double corner_reach = 3;
 
 /// A line before it is smoothed, and the ends that it has.
@@ -62,10 +64,10 @@ void finish(CleanLine& line, double step, int passes) {
   TaubinOptions smoothing;
   smoothing.passes = passes;
   smoothing.fixed.assign(line.points.size(), false);
-  for (const Index corner : corners(line.points, line.closed, reach)) smoothing.fixed[corner] = true;
+  for (const Index corner : corners_of(line.points, line.closed, reach, corner_angle)) smoothing.fixed[corner] = true;
   const Points drawn = line.points;
   line.points = taubin_smooth(line.points, line.closed, smoothing);
-  const std::vector<Index> kept = corners(line.points, line.closed, reach);
+  const std::vector<Index> kept = corners_of(line.points, line.closed, reach, corner_angle);
   Points points;
   std::vector<Index> stroke;
   for (const double parameter : even_parameters(line.points, line.closed, step, kept)) {

@@ -40,7 +40,7 @@ struct Limb {
 };
 
 bool is_inside(const Vec2& place, const std::vector<CleanLine>& contours) {
-  return std::ranges::any_of(contours, [&](const CleanLine& line) { return line.closed && encloses(line, place); });
+  return std::ranges::any_of(contours, [&](const CleanLine& line) { return line.closed && encloses(line.points, place); });
 }
 
 /// The nearest place on any contour, infinitely far where there is none.

@@ -44,7 +44,7 @@ Approach approach_of(const CleanLine& line, const CleanLine& other, double reach
       here.direction =
           nearest->distance > 0 ? way.normalized() : inside * left_of((segment.b - segment.a).normalized());
     }
-    if (other.closed && encloses(other, point)) here = {i, -std::min(reach, here.distance), -here.direction};
+    if (other.closed && encloses(other.points, point)) here = {i, -std::min(reach, here.distance), -here.direction};
     if (here.distance < found.distance) found = here;
   }
   return found;
@@ -73,7 +73,7 @@ DisjointSets things_of(const std::vector<CleanLine>& lines, const EndTargets& ta
 }
 
 bool lies_within(const CleanLine& line, const CleanLine& other) {
-  return other.closed && std::ranges::all_of(line.points, [&](const Vec2& point) { return encloses(other, point); });
+  return other.closed && std::ranges::all_of(line.points, [&](const Vec2& point) { return encloses(other.points, point); });
 }
 
 void lead(CleanLine& line, const Approach& approach) {

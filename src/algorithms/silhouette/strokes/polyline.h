@@ -10,7 +10,7 @@
 #include "croquis/geometry/predicates.h"
 #include "croquis/geometry/vector.h"
 
-/// Lines as point sequences. A place on one is a parameter: the index of its segment plus the fraction along it.
+/// Lines as point sequences, and how their ends lie; more of them in croquis/geometry/polyline.h.
 namespace croquis::silhouette {
 
 using Points = std::vector<Vec2>;
@@ -23,41 +23,9 @@ inline double scattered(std::uint64_t counter) {
   return static_cast<double>(z >> 11) * 0x1p-52 - 1;
 }
 
-/// The place at a parameter; of a closed line parameters run on through the closing segment.
-Vec2 point_at(std::span<const Vec2> points, double parameter);
-
-/// Parameters of places spread evenly, at most `spacing` * 1.5 apart and close to `spacing`, through every fixed point.
-/// Open lines keep both ends. The result is the same for both directions of drawing.
-/// @param fixed ascending indices of points to keep
-std::vector<double> even_parameters(std::span<const Vec2> points, bool closed, double spacing,
-                                    std::span<const Index> fixed = {});
-
-/// Those places themselves.
-Points even_points(std::span<const Vec2> points, bool closed, double spacing);
-
-/// Parameter of the place so far along an open line from its start, or back from its end; its other end where the line
-/// is shorter.
-double parameter_along(std::span<const Vec2> points, bool from_start, double distance);
-
-/// Parameter of the place that is nearest to another one, within the segments from `first` to before `last`. Of a
-/// closed line the last segment leads back to the first point.
-double nearest_on_line(std::span<const Vec2> points, const Vec2& place, Index first, Index last);
-
-/// Points where the line turns by more than 60 degrees within `reach` to either side: the sharpest of each bend.
-std::vector<Index> corners(std::span<const Vec2> points, bool closed, double reach);
-
-/// True when the open segments a–b and c–d cross in one inner point of both; exact.
-inline bool cross_properly(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
-}
-
 /// Fraction along a–b where its line meets that of c–d; not finite when they are parallel.
 inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return cross(c - a, d - c) / cross(b - a, d - c);
-}
-
-inline Vec2 nearest_on_segment(const Vec2& place, const Vec2& a, const Vec2& b) {
-  return a + nearest_parameter(place, a, b) * (b - a);
 }
 
 /// A way in which the end of a line may meet a segment.

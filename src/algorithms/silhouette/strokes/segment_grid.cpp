@@ -72,7 +72,7 @@ std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines) {
 std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach) {
   std::vector<SegmentContact> found;
   const auto compare = [&](const GridSegment& a, const GridSegment& b) {
-    if (cross_properly(a.a, a.b, b.a, b.b)) {
+    if (segments_cross(a.a, a.b, b.a, b.b)) {
       const double along_a = crossing_fraction(a.a, a.b, b.a, b.b), along_b = crossing_fraction(b.a, b.b, a.a, a.b);
       found.push_back({a, b, a.a + along_a * (a.b - a.a), orientation(a.a, a.b, b.b), along_a, along_b});
     } else if (const std::optional<Vec2> at = touching_end(a, b, reach)) {

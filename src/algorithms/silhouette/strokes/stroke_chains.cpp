@@ -66,7 +66,7 @@ bool close_at_crossing(CleanLine& line, double reach, double spacing) {
   const Index most = std::min(static_cast<Index>(reach / spacing) + 1, last / 3);
   for (Index i = 0; i < most; ++i) {
     for (Index k = last - most; k < last; ++k) {
-      if (!cross_properly(points[i], points[i + 1], points[k], points[k + 1])) continue;
+      if (!segments_cross(points[i], points[i + 1], points[k], points[k + 1])) continue;
       const double fraction = crossing_fraction(points[i], points[i + 1], points[k], points[k + 1]);
       const Vec2 at = points[i] + fraction * (points[i + 1] - points[i]);
       line.keep(i, k + 1);

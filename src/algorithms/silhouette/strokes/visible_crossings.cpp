@@ -42,7 +42,7 @@ Index line_around(const std::vector<CleanLine>& lines, const LinePairs& crossing
   for (Index other = 0; other < lines.size(); ++other) {
     if (!lines[other].closed || crossing.contains(std::minmax(line, other)) || area(other) <= area(line)) continue;
     if (around != no_index && area(other) >= area(around)) continue;
-    if (encloses(lines[other], lines[line].points.front())) around = other;
+    if (encloses(lines[other].points, lines[line].points.front())) around = other;
   }
   return around;
 }
@@ -71,7 +71,7 @@ bool told_behind_line(const Drawing& drawing, const CleanLine& line, const Clean
 
 /// The ends of an outline that was left open are seen within what it lies in front of.
 bool opens_within(const CleanLine& line, const CleanLine& other) {
-  return line.bridged && encloses(other, (line.points.front() + line.points.back()) / 2);
+  return line.bridged && encloses(other.points, (line.points.front() + line.points.back()) / 2);
 }
 
 /// A line in front of another one.
@@ -144,7 +144,7 @@ std::vector<LineRun> runs_between(const std::vector<double>& crossings, const Cl
   runs.push_back({crossings.back(), line.closed ? crossings.front() + last : last});
   const auto longest = std::ranges::max_element(runs, {}, [](const LineRun& run) { return run.end - run.begin; });
   const double middle = 0.5 * (longest->begin + longest->end);
-  const bool inside = encloses(cover, point_at(line.points, middle));
+  const bool inside = encloses(cover.points, point_at(line.points, middle));
   for (auto run = runs.begin(); run != runs.end(); ++run) {
     run->inside = run->meant = inside == ((run - longest) % 2 == 0);
   }
@@ -172,7 +172,7 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
     if (!line.closed && (i == 0 || i + 1 >= line.points.size())) continue;
     Vec2& point = line.points[i % line.points.size()];
     const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, 2 * shallow);
-    if (!nearest || (encloses(cover, point) == run.meant && nearest->distance >= distance)) continue;
+    if (!nearest || (encloses(cover.points, point) == run.meant && nearest->distance >= distance)) continue;
     point = nearest->at + side * distance * left_of((nearest->segment.b - nearest->segment.a).normalized());
   }
 }
@@ -184,7 +184,7 @@ std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, do
   const SegmentGrid grid(line_segments({cover}), step);
   const std::vector<double> crossings = crossing_parameters(line, cover, step);
   if (crossings.empty()) {
-    const bool inside = encloses(cover, line.points.front());
+    const bool inside = encloses(cover.points, line.points.front());
     move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, shallow);
     return std::nullopt;
   }
@@ -320,18 +320,6 @@ LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale
     if (a != b && (contact.crosses() || (lines[a].closed && lines[b].closed))) pairs.emplace(a, b);
   }
   return pairs;
-}
-
-bool encloses(const CleanLine& closed, const Vec2& place) {
-  bool inside = false;
-  const Points& loop = closed.points;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2& a = loop[i];
-    const Vec2& b = loop[(i + 1) % loop.size()];
-    if ((a.y() > place.y()) == (b.y() > place.y())) continue;
-    if ((orientation(a, b, place) > 0) == (b.y() > a.y())) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace croquis::silhouette

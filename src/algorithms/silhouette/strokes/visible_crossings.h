@@ -48,7 +48,4 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
 /// Pairs of lines that cross, and of closed ones that touch; the lower index first.
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale);
 
-/// Whether a place lies inside a closed line.
-bool encloses(const CleanLine& closed, const Vec2& place);
-
 }  // namespace croquis::silhouette
