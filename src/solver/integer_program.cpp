@@ -23,6 +23,8 @@ constexpr int maximum_simplex_iterations = 200'000;
 // Nearer to a whole number than this a relaxation's value is one.
 constexpr double whole_tolerance = 1e-5;
 constexpr double cost_tolerance = 1e-9;
+// Branches are on what is broken most and costs most: there bounds grow fastest. This much counts where nothing costs.
+constexpr double least_weight = 0.1;
 
 [[noreturn]] void throw_refused() {
   throw Error(make_error(Category::Internal, "E_INTERNAL", "The integer program of the drawing was refused by GLPK"));
@@ -247,14 +249,15 @@ void IntegerProgram::branch(Part& part, Node node, Relaxation& relaxation, Index
   node.basis = relaxation.basis();
   node.rows = part.rows.size();
   Index most_broken = no_index;
-  double most = whole_tolerance;
+  double most = 0;
   node.values.clear();
   for (Index v = 0; v < part.cost.size() && (v != first || most_broken == no_index); ++v) {
     const double value = relaxation.value(v);
     const double off = std::abs(value - std::round(value));
     node.values.push_back(static_cast<int>(std::lround(value)));
-    if (off <= most) continue;
-    most = off;
+    const double score = off > whole_tolerance ? off * (least_weight + std::abs(part.cost[v])) : 0;
+    if (score <= most) continue;
+    most = score;
     most_broken = v;
   }
   if (most_broken == no_index) return part.open.push_back(std::move(node));
@@ -268,38 +271,51 @@ void IntegerProgram::branch(Part& part, Node node, Relaxation& relaxation, Index
   part.open.push_back(std::move(node));
 }
 
+bool IntegerProgram::is_solution(const Part& part, const Node& node) {
+  return !node.values.empty() && node.rows == part.rows.size();
+}
+
+/// What the open nodes say by themselves; none while the search has to go on.
+std::optional<IntegerProgram::Solution> IntegerProgram::outcome(const Part& part, double gap, bool is_over) {
+  if (part.open.empty()) return Solution{};
+  const Node& promising = part.open[most_promising(part, gap)];
+  if (is_solution(part, promising)) return Solution{Status::Optimal, promising.values};
+  if (!is_over) return std::nullopt;
+  const Node* best = best_known(part);
+  return Solution{Status::Limit, best != nullptr ? best->values : std::vector<int>{}};
+}
+
+/// The best solution among the open nodes; null where there is none.
+const IntegerProgram::Node* IntegerProgram::best_known(const Part& part) {
+  const Node* best = nullptr;
+  for (const Node& node : part.open) {
+    if (is_solution(part, node) && (best == nullptr || node.cost < best->cost)) best = &node;
+  }
+  return best;
+}
+
 /// Goes down from the most promising node until there is a solution or none, then from the next one.
 IntegerProgram::Solution IntegerProgram::solve_part(Part& part, int maximum_nodes, double gap, Index first) {
-  Solution solution;
-  const auto cost_as_solution = [&](const Node& node) {
-    return !node.values.empty() && node.rows == part.rows.size() ? node.cost : unbounded;
-  };
-  const auto search = [&](const bool& out_of_memory) {
-    std::optional<Relaxation> relaxation;
-    bool descending = false;
-    while (!part.open.empty()) {
-      const auto known = std::ranges::min_element(part.open, {}, cost_as_solution);
-      const double known_cost = cost_as_solution(*known);
-      const std::size_t promising = most_promising(part, gap);
-      const bool optimal = std::isfinite(cost_as_solution(part.open[promising]));
-      if (optimal || solution.nodes >= maximum_nodes) {
-        solution.status = optimal ? Status::Optimal : Status::Limit;
-        if (optimal || std::isfinite(known_cost)) solution.values = (optimal ? part.open[promising] : *known).values;
-        return;
-      }
-      const std::size_t next = descending && part.open.back().cost < known_cost ? part.open.size() - 1 : promising;
-      ++solution.nodes;
-      if (!relaxation) relaxation.emplace(part, out_of_memory);
+  std::optional<Solution> found = outcome(part, gap, false);
+  if (found) return *found;
+  int nodes = 0;
+  in_own_environment([&](const bool& out_of_memory) {
+    Relaxation relaxation(part, out_of_memory);
+    for (bool descending = false; !found; found = outcome(part, gap, nodes >= maximum_nodes)) {
+      const Node* known = best_known(part);
+      const bool goes_on = descending && (known == nullptr || part.open.back().cost < known->cost);
+      const std::size_t next = goes_on ? part.open.size() - 1 : most_promising(part, gap);
       Node node = std::move(part.open[next]);
       part.open.erase(part.open.begin() + static_cast<std::ptrdiff_t>(next));
       const std::size_t others = part.open.size();
-      branch(part, std::move(node), *relaxation, first);
+      branch(part, std::move(node), relaxation, first);
       descending = part.open.size() > others + 1;
+      ++nodes;
     }
-    solution.status = relaxation && relaxation->gave_up() ? Status::Limit : Status::Infeasible;
-  };
-  in_own_environment(search);
-  return solution;
+    if (part.open.empty() && relaxation.gave_up()) found->status = Status::Limit;
+  });
+  found->nodes = nodes;
+  return *found;
 }
 
 IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, Index first) {

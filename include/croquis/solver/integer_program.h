@@ -78,6 +78,9 @@ class IntegerProgram {
   void add_to_part(const Row& row);
   static std::optional<int> free_value(const Part& part);
   static std::size_t most_promising(const Part& part, double gap);
+  static bool is_solution(const Part& part, const Node& node);
+  static const Node* best_known(const Part& part);
+  static std::optional<Solution> outcome(const Part& part, double gap, bool is_over);
   static void branch(Part& part, Node node, Relaxation& relaxation, Index first);
   static Solution solve_part(Part& part, int maximum_nodes, double gap, Index first);
 
