@@ -73,4 +73,9 @@ inline Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b) 
   return a + nearest_parameter(point, a, b) * (b - a);
 }
 
+/// Fraction along a–b where its line meets that of c–d; not finite when they are parallel.
+inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return cross(c - a, d - c) / cross(b - a, d - c);
+}
+
 }  // namespace croquis

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/polyline.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 #include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {

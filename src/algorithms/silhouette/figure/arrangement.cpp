@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
@@ -27,18 +27,9 @@ struct RawCrossings {
   std::vector<Passage> passages;  ///< two per crossing
 };
 
-std::vector<GridSegment> path_segments(const std::vector<ContourPath>& contours) {
-  std::vector<GridSegment> segments;
-  for (Index c = 0; c < contours.size(); ++c) {
-    const Points& points = contours[c].points;
-    for (Index i = 0; i < points.size(); ++i) segments.push_back({points[i], points[(i + 1) % points.size()], c, i});
-  }
-  return segments;
-}
-
 RawCrossings find_crossings(const std::vector<ContourPath>& contours, double spacing) {
   RawCrossings raw;
-  for (const SegmentContact& found : find_contacts(SegmentGrid(path_segments(contours), spacing))) {
+  for (const SegmentContact& found : find_contacts(SegmentGrid(segments_of(contours), spacing))) {
     const auto crossing = static_cast<Index>(raw.places.size());
     raw.places.push_back(found.at);
     raw.signs.push_back(found.sign);

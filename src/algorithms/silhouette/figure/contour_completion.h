@@ -7,7 +7,7 @@
 
 #include "algorithms/silhouette/figure/completion_curve.h"
 #include "algorithms/silhouette/strokes/junctions.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 #include "croquis/silhouette/options.h"
 
 /// Candidates for hidden contours and what each costs (Cordier, Seo, Cho 2006, section 3; Williams 1994).
@@ -22,7 +22,6 @@ struct CompletionCandidate {
   std::vector<std::uint8_t> shapes{0, 1, 2, 3, 4, 5, 6, 7};             ///< completion_shapes, the likeliest first
 
   double shape_cost = 0;                                  ///< of its length and bending, see completion_cost
-  double opposition = 0;                                  ///< its lines bend round something on opposite sides
   double most = std::numeric_limits<double>::infinity();  ///< no more than that, for it closes a limb
   double strip = 1;                                       ///< factor of a side of a strip, see favour_strips
   double open = 0;                                        ///< of the surfaces that are missing in front of it

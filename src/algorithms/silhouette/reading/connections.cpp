@@ -13,7 +13,7 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
 #include "algorithms/silhouette/strokes/doubled_strokes.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -177,7 +177,7 @@ struct DrawnStrokes {
 
 std::vector<GridSegment> segments_but_doubled(const std::vector<SampledStroke>& strokes,
                                               const std::vector<Index>& doubled) {
-  std::vector<GridSegment> all = stroke_segments(strokes);
+  std::vector<GridSegment> all = segments_of(strokes);
   std::erase_if(all, [&](const GridSegment& segment) { return doubled[segment.line] != no_index; });
   return all;
 }

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/polyline.h"
@@ -31,7 +31,7 @@ struct Approach {
 
 /// @param reach no farther and no deeper than that
 Approach approach_of(const CleanLine& line, const CleanLine& other, double reach) {
-  const SegmentGrid grid(line_segments({other}), reach);
+  const SegmentGrid grid(segments_of(std::vector{other}), reach);
   const double inside = signed_area(other.points) > 0 ? 1 : -1;
   Approach found;
   for (std::size_t i = 0; i < line.points.size(); ++i) {

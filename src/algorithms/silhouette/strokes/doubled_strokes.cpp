@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -107,7 +107,7 @@ bool may_be_outline(StrokeKind told) {
 
 std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   const double reach = doubling_distance * scale.unit;
-  const SegmentGrid grid(stroke_segments(strokes), scale.step);
+  const SegmentGrid grid(segments_of(strokes), scale.step);
   std::map<std::pair<Index, Index>, std::vector<double>> beside;  // distances, left of the second stroke positive
   for (Index s = 0; s < strokes.size(); ++s) {
     for (const Vec2& point : strokes[s].points) {
@@ -135,7 +135,7 @@ std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, co
 
 void cut_retraced_ends(std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   if (scale.reach_share <= 0) return;
-  const SegmentGrid grid(stroke_segments(strokes), scale.step);
+  const SegmentGrid grid(segments_of(strokes), scale.step);
   std::vector<KeptRun> kept;
   for (const SampledStroke& stroke : strokes) kept.push_back({0, static_cast<Index>(stroke.points.size())});
   for (auto s = static_cast<Index>(strokes.size()); s-- > 0;) {

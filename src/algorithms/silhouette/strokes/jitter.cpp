@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -66,7 +66,7 @@ Vec2 straight_direction(const Points& points, bool at_start, double reach) {
 /// The first two segments of a line that cross, far enough from its ends.
 std::optional<std::pair<Index, Index>> first_crossing(const CleanLine& line, const DrawingScale& scale) {
   const double clear = line.closed ? 0 : free_reach * scale.reach(line.size) / scale.step;
-  for (const auto& contact : find_contacts(SegmentGrid(line_segments({line}), scale.step))) {
+  for (const auto& contact : find_contacts(SegmentGrid(segments_of(std::vector{line}), scale.step))) {
     const Index first = contact.a.position, second = contact.b.position;
     if (first >= clear && line.segment_count() - second >= clear) return std::pair(first, second);
   }

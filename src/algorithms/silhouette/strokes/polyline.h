@@ -23,11 +23,6 @@ inline double scattered(std::uint64_t counter) {
   return static_cast<double>(z >> 11) * 0x1p-52 - 1;
 }
 
-/// Fraction along a–b where its line meets that of c–d; not finite when they are parallel.
-inline double crossing_fraction(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return cross(c - a, d - c) / cross(b - a, d - c);
-}
-
 /// A way in which the end of a line may meet a segment.
 struct EndHit {
   enum class Way { Across, Ahead, Beside };  ///< the line runs across it, heads for it, ends near it

@@ -59,30 +59,10 @@ void bend_together(std::span<Vec2> ending, std::span<Vec2> starting, double leng
   bend(starting, true, -0.5 * aside, bent);
 }
 
-/// Closes a line whose last bit crosses its first bit there, at the crossing nearest to the start.
-bool close_at_crossing(CleanLine& line, double reach, double spacing) {
-  const Points& points = line.points;
-  const auto last = static_cast<Index>(points.size() - 1);
-  const Index most = std::min(static_cast<Index>(reach / spacing) + 1, last / 3);
-  for (Index i = 0; i < most; ++i) {
-    for (Index k = last - most; k < last; ++k) {
-      if (!segments_cross(points[i], points[i + 1], points[k], points[k + 1])) continue;
-      const double fraction = crossing_fraction(points[i], points[i + 1], points[k], points[k + 1]);
-      const Vec2 at = points[i] + fraction * (points[i + 1] - points[i]);
-      line.keep(i, k + 1);
-      line.points.front() = at;
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Makes the end of a line run into its start.
 void close_line(CleanLine& line, const DrawingScale& scale) {
   const double length = croquis::length(line.points, false);
   if (scale.aside_share <= 0) return trim_overlap(line, line.points.front(), scale.gap);
-  const double spacing = length / static_cast<double>(line.points.size() - 1);
-  if (close_at_crossing(line, scale.close_share * length, spacing)) return;
   trim_overlap(line, line.points.front(), std::max(scale.gap, longest_overlap * scale.close_share * length));
   const std::span<Vec2> points(line.points);
   const std::size_t half = points.size() / 2;
@@ -90,16 +70,6 @@ void close_line(CleanLine& line, const DrawingScale& scale) {
 }
 
 }  // namespace
-
-std::vector<GridSegment> stroke_segments(const std::vector<SampledStroke>& strokes) {
-  std::vector<GridSegment> all;
-  for (Index s = 0; s < strokes.size(); ++s) {
-    const Points& points = strokes[s].points;
-    const std::size_t count = strokes[s].closed ? points.size() : points.size() - 1;
-    for (Index i = 0; i < count; ++i) all.push_back({points[i], points[(i + 1) % points.size()], s, i});
-  }
-  return all;
-}
 
 CleanLine join_chain(const StrokeChain& chain, const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
   CleanLine line;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
@@ -20,9 +19,6 @@ struct SampledStroke {
   double length = 0;
   double size = 0;  ///< see `size_of`
 };
-
-/// All segments of strokes; `line` is the position of the stroke.
-std::vector<GridSegment> stroke_segments(const std::vector<SampledStroke>& strokes);
 
 /// One stroke in a chain of joined strokes.
 struct ChainLink {

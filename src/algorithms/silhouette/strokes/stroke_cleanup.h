@@ -17,7 +17,6 @@ struct SampledDrawing {
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<SampledStroke> hidden;   ///< told to be
   std::vector<Index> dots;             ///< indices into Drawing::strokes: too short to be a line of anything
-  int smoothing_passes = 0;
   Findings findings;
 };
 

@@ -13,15 +13,13 @@
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/ring_shape.h"
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
 
-// Closed lines that come nearer than this (u) are moved apart.
-constexpr double touching = 0.2;
 // Samples on the wrong side are moved to this share of what counts as shallow on the right one.
 constexpr double moved_share = 0.5;
 // Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
@@ -69,11 +67,6 @@ bool told_behind_line(const Drawing& drawing, const CleanLine& line, const Clean
   });
 }
 
-/// The ends of an outline that was left open are seen within what it lies in front of.
-bool opens_within(const CleanLine& line, const CleanLine& other) {
-  return line.bridged && encloses(other.points, (line.points.front() + line.points.back()) / 2);
-}
-
 /// A line in front of another one.
 struct Cover {
   Index front = 0;
@@ -93,8 +86,7 @@ std::optional<Cover> cover_between(const Drawing& drawing, const std::vector<Cle
   if (last_stroke(ring(b)) >= last_stroke(ring(a))) std::swap(front, behind);
   const bool later_is_behind = told_behind_line(drawing, ring(front), ring(behind));
   const bool chosen = later_is_behind || told_behind_line(drawing, ring(behind), ring(front));
-  const bool earlier_opens = opens_within(ring(behind), ring(front)) && !opens_within(ring(front), ring(behind));
-  if (later_is_behind || earlier_opens) std::swap(front, behind);
+  if (later_is_behind) std::swap(front, behind);
   return Cover{front, behind, chosen, rings[front] != front};
 }
 
@@ -128,7 +120,7 @@ struct LineRun {
 /// Ascending parameters of the places where a line crosses another one.
 std::vector<double> crossing_parameters(const CleanLine& line, const CleanLine& other, double step) {
   std::vector<double> parameters;
-  for (const SegmentContact& contact : find_contacts(SegmentGrid(line_segments({line, other}), step))) {
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(std::vector{line, other}), step))) {
     if (contact.a.line != contact.b.line) parameters.push_back(contact.a.position + contact.fraction_a);
   }
   std::ranges::sort(parameters);
@@ -177,19 +169,13 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
   }
 }
 
-/// Runs that stay near to a closed line are moved to its other side, and a line that only touches it is
-/// moved off it.
+/// Runs that stay near to a closed line are moved to its other side.
 /// @returns one of the places where the two are meant to cross
 std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double shallow, double step) {
-  const SegmentGrid grid(line_segments({cover}), step);
+  const SegmentGrid grid(segments_of(std::vector{cover}), step);
   const std::vector<double> crossings = crossing_parameters(line, cover, step);
-  if (crossings.empty()) {
-    const bool inside = encloses(cover.points, line.points.front());
-    move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, shallow);
-    return std::nullopt;
-  }
   // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
-  if (line.closed && crossings.size() % 2 != 0) return std::nullopt;
+  if (crossings.empty() || (line.closed && crossings.size() % 2 != 0)) return std::nullopt;
   std::vector<LineRun> runs = runs_between(crossings, line, cover);
   for (LineRun& run : runs) {
     for (auto i = static_cast<Index>(std::ceil(run.begin)); i <= run.end && run.depth < 2 * shallow; ++i) {
@@ -295,7 +281,7 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
                                  const DrawingScale& scale, const Progress& progress) {
   const double reach = touch_distance * scale.unit;
   std::map<std::pair<Index, Index>, SegmentContact> worst;  // by strokes; a crossing counts as worse than a touch
-  for (const SegmentContact& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step), reach)) {
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step), reach)) {
     progress.check();
     const auto& [a, b] = std::tie(contact.a, contact.b);
     const double apart = a.line == b.line ? separation(lines[a.line], a.position, b.position) : own_segments + 1;
@@ -313,11 +299,9 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
 }
 
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
-  const double reach = touching * scale.unit;
   LinePairs pairs;
-  for (const auto& contact : find_contacts(SegmentGrid(line_segments(lines), scale.step), reach)) {
-    const Index a = contact.a.line, b = contact.b.line;
-    if (a != b && (contact.crosses() || (lines[a].closed && lines[b].closed))) pairs.emplace(a, b);
+  for (const auto& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step))) {
+    if (contact.a.line != contact.b.line) pairs.emplace(contact.a.line, contact.b.line);
   }
   return pairs;
 }

@@ -45,7 +45,7 @@ LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<Clean
                                  const std::vector<HiddenEnd>& ends, const VisibleCrossings& order,
                                  const DrawingScale& scale, const Progress& progress);
 
-/// Pairs of lines that cross, and of closed ones that touch; the lower index first.
+/// Pairs of lines that cross; the lower index first.
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale);
 
 }  // namespace croquis::silhouette

@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/clean_line.h"
+#include "croquis/geometry/polyline.h"
+#include "croquis/geometry/vector.h"
 
-namespace croquis::silhouette {
+/// Segments of plane lines, and where they come near to one another.
+namespace croquis {
 
 /// A piece of a line, by the line it belongs to and its position there.
 struct GridSegment {
@@ -80,8 +82,19 @@ class SegmentGrid {
   std::vector<std::vector<Index>> cells_;  ///< segments, ascending
 };
 
-/// All segments of lines; `line` is the index of the line, `position` that of the segment.
-std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines);
+/// All segments of lines, which have `points`, and are closed unless their `closed` says otherwise; `line` is the index
+/// of the line, `position` that of the segment.
+template <typename Line>
+std::vector<GridSegment> segments_of(const std::vector<Line>& lines) {
+  std::vector<GridSegment> segments;
+  for (Index line = 0; line < lines.size(); ++line) {
+    const auto& points = lines[line].points;
+    std::size_t count = points.size();
+    if constexpr (requires { lines[line].closed; }) count -= lines[line].closed ? 0U : 1U;
+    for (Index i = 0; i < count; ++i) segments.push_back({points[i], points[(i + 1) % points.size()], line, i});
+  }
+  return segments;
+}
 
 /// Where two segments cross or touch.
 struct SegmentContact {
@@ -100,4 +113,4 @@ struct SegmentContact {
 /// @param reach segments touch that come nearer than this
 std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach = 0);
 
-}  // namespace croquis::silhouette
+}  // namespace croquis

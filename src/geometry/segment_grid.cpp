@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/strokes/segment_grid.h"
+#include "croquis/geometry/segment_grid.h"
 
 #include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-namespace croquis::silhouette {
+#include "croquis/geometry/predicates.h"
+
+namespace croquis {
 namespace {
 
 /// An end of one of two segments that is nearer than `reach` to the other one.
@@ -58,17 +60,6 @@ std::optional<SegmentGrid::Place> SegmentGrid::nearest(const Vec2& place, double
   return best;
 }
 
-std::vector<GridSegment> line_segments(const std::vector<CleanLine>& lines) {
-  std::vector<GridSegment> segments;
-  for (Index line = 0; line < lines.size(); ++line) {
-    const Points& points = lines[line].points;
-    for (Index i = 0; i < lines[line].segment_count(); ++i) {
-      segments.push_back({points[i], points[(i + 1) % points.size()], line, i});
-    }
-  }
-  return segments;
-}
-
 std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach) {
   std::vector<SegmentContact> found;
   const auto compare = [&](const GridSegment& a, const GridSegment& b) {
@@ -90,4 +81,4 @@ std::vector<SegmentContact> find_contacts(const SegmentGrid& grid, double reach)
   return found;
 }
 
-}  // namespace croquis::silhouette
+}  // namespace croquis
