@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "algorithms/silhouette/skeleton/overlap_cycles.h"
 
@@ -12,34 +13,33 @@ namespace {
 /// The most that the depths along one chain of objects, each over the next, add up to.
 double longest_chain(const std::vector<std::vector<Index>>& below, const std::vector<double>& depths) {
   const OverlapCycles cycles = overlap_cycles(below);
-  std::vector<std::vector<Index>> members(cycles.count);
-  for (Index object = 0; object < depths.size(); ++object) members[cycles.cycle[object]].push_back(object);
-  std::vector<double> chains;  // per cycle the longest one from it downwards
-  for (Index cycle = 0; cycle < cycles.count; ++cycle) {
-    double own = 0;
-    double most_below = 0;
-    for (const Index member : members[cycle]) {
-      own += depths[member];
-      for (const Index lower : below[member]) {
-        if (cycles.cycle[lower] != cycle) most_below = std::max(most_below, chains[cycles.cycle[lower]]);
-      }
+  std::vector<Index> from_below(depths.size());
+  std::iota(from_below.begin(), from_below.end(), Index{0});
+  std::ranges::stable_sort(from_below, {}, [&](Index object) { return cycles.cycle[object]; });
+  std::vector<double> own(cycles.count, 0), most_below(cycles.count, 0);
+  double longest = 0;
+  for (const Index object : from_below) {
+    const Index cycle = cycles.cycle[object];
+    own[cycle] += depths[object];
+    for (const Index lower : below[object]) {
+      const Index next = cycles.cycle[lower];
+      if (next != cycle) most_below[cycle] = std::max(most_below[cycle], own[next] + most_below[next]);
     }
-    chains.push_back(own + most_below);
+    longest = std::max(longest, own[cycle] + most_below[cycle]);
   }
-  return chains.empty() ? 0 : *std::max_element(chains.begin(), chains.end());
+  return longest;
 }
 
 }  // namespace
 
 double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap,
                        const std::vector<double>& thickness) {
-  std::vector<double> widths(figure.objects.size(), 0);
+  std::vector<double> widths(figure.objects.size(), 0), depths;
   for (const SkeletonNode& node : skeleton.nodes) widths[node.object] = std::max(widths[node.object], 2 * node.radius);
-  for (std::size_t object = 0; object < std::min(widths.size(), thickness.size()); ++object) {
-    widths[object] *= thickness[object];
+  for (Index object = 0; object < widths.size(); ++object) {
+    if (object < thickness.size()) widths[object] *= thickness[object];
+    depths.push_back(widths[object] + gap);
   }
-  std::vector<double> depths(figure.objects.size());
-  for (Index object = 0; object < depths.size(); ++object) depths[object] = widths[object] + gap;
   std::vector<std::vector<Index>> below(depths.size());
   for (const FigureOverlap& overlap : figure.overlaps) {
     if (overlap.upper == overlap.lower) {
@@ -55,19 +55,14 @@ std::vector<Index> objects_too_deep(std::vector<DepthRange> ranges, double most)
   const auto reach = [](const DepthRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); };
   std::vector<Index> refused;
   while (!ranges.empty()) {
-    double low = ranges.front().low;
-    double high = ranges.front().high;
-    for (const DepthRange& range : ranges) {
-      low = std::min(low, range.low);
-      high = std::max(high, range.high);
-    }
-    const auto farthest = std::max_element(
-        ranges.begin(), ranges.end(), [&](const DepthRange& a, const DepthRange& b) { return reach(a) < reach(b); });
+    const double low = std::ranges::min_element(ranges, {}, &DepthRange::low)->low;
+    const double high = std::ranges::max_element(ranges, {}, &DepthRange::high)->high;
     if (high - low <= most) break;
+    const auto farthest = std::ranges::max_element(ranges, {}, reach);
     refused.push_back(farthest->object);
     ranges.erase(farthest);
   }
-  std::sort(refused.begin(), refused.end());
+  std::ranges::sort(refused);
   return refused;
 }
 
