@@ -240,21 +240,12 @@ std::vector<FigureSettings> settings_of_figures(const LabelledDrawing& labelled,
                                                 const Options& options, AttachedFigures& attached) {
   std::vector<FigureSettings> all(labelled.figures.size());
   Findings findings;
-  const auto collect = [&](const auto& read) {
-    try {
-      read();
-    } catch (const Error& error) {
-      findings.insert(findings.end(), error.findings().begin(), error.findings().end());
-    }
-  };
   for (std::size_t f = 0; f < all.size(); ++f) {
-    const LabelledFigure& figure = labelled.figures[f];
     FigureSettings& settings = all[f];
     settings.depth.options = options.depth;
     settings.depth.attachments = std::move(attached.figures[f].attachments);
     settings.blends = std::move(attached.figures[f].blends);
-    collect([&] { settings.depth.object_weights = object_weights(figure, drawing, options.depth); });
-    collect([&] { settings.depth.thickness = object_thickness(figure, drawing, settings.depth.attachments); });
+    read_object_weights(labelled.figures[f], drawing, settings.depth, findings);
     settings.quality = options.quality;
     settings.cache = options.cache;
   }

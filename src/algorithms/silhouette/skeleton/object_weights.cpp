@@ -22,8 +22,9 @@ struct Range {
 const Range weight_range{1e-3, 1, "from 0.001 to 1"};
 const Range thickness_range{0.05, 4, "from 0.05 to 4"};
 
+/// Reads a number of an object.
 /// @return whether the attributes have it
-bool read_number(const std::string& object, const Attributes& attributes, const std::string& name, const Range& range,
+bool read_number(const FigureObject& object, const Attributes& attributes, const std::string& name, const Range& range,
                  double& number, Findings& findings) {
   const auto found = attributes.find(name);
   if (found == attributes.end()) return false;
@@ -33,12 +34,12 @@ bool read_number(const std::string& object, const Attributes& attributes, const 
   description.minimum = range.least;
   description.maximum = range.most;
   try {
-    ParameterValues values{{name, parse_parameter(description, found->second)}};
+    const ParameterValues values{{name, parse_parameter(description, found->second)}};
     number = std::get<double>(complete({description}, values).at(name));
   } catch (const Error&) {
     findings.push_back(make_error(
         Category::Usage, "E_PARAMETER",
-        "The object \"" + object + "\" has " + name + " \"" + found->second + "\": give a number " + range.text,
+        "The object \"" + object.name + "\" has " + name + " \"" + found->second + "\": give a number " + range.text,
         {Subject{SubjectKind::Parameter, name, {}, {}, {}}}));
   }
   return true;
@@ -46,46 +47,35 @@ bool read_number(const std::string& object, const Attributes& attributes, const 
 
 }  // namespace
 
-std::vector<DepthWeights> object_weights(const LabelledFigure& figure, const Drawing& drawing,
-                                         const DepthOptions& options) {
-  std::vector<DepthWeights> weights;
-  Findings findings;
-  for (const FigureObject& object : figure.objects) {
-    DepthWeights own{options.weight_curvature, options.weight_orientation, options.weight_distance};
-    const auto attributes = drawing.object_data.find(object.name);
-    if (attributes != drawing.object_data.end()) {
-      read_number(object.name, attributes->second, "weight-curvature", weight_range, own.curvature, findings);
-      read_number(object.name, attributes->second, "weight-orientation", weight_range, own.orientation, findings);
-      read_number(object.name, attributes->second, "weight-distance", weight_range, own.distance, findings);
-    }
-    weights.push_back(own);
-  }
-  if (!findings.empty()) throw Error(std::move(findings));
-  return weights;
-}
-
-std::vector<double> object_thickness(const LabelledFigure& figure, const Drawing& drawing,
-                                     const Attachments& attachments) {
+void read_object_weights(const LabelledFigure& figure, const Drawing& drawing, DepthSettings& settings,
+                         Findings& findings) {
   constexpr double resting_thickness = 0.85;  // bellies, eyes and buttons are a little flatter than balls
-  std::vector<double> thickness(figure.objects.size(), 1);
+  settings.thickness.assign(figure.objects.size(), 1);
   for (const FigureOverlap& overlap : figure.overlaps) {
     const bool inside = overlap.crossings.empty();
-    if (inside && attachments.resting(overlap.upper, overlap.lower)) thickness[overlap.upper] = resting_thickness;
-  }
-  Findings findings;
-  for (Index o = 0; o < figure.objects.size(); ++o) {
-    const FigureObject& object = figure.objects[o];
-    double& factor = thickness[o];
-    const auto group = drawing.object_data.find(object.name);
-    bool told = group != drawing.object_data.end() &&
-                read_number(object.name, group->second, thickness_key, thickness_range, factor, findings);
-    for (std::size_t s = 0; s < object.strokes.size() && !told; ++s) {
-      told = read_number(object.name, drawing.strokes[object.strokes[s]].data, thickness_key, thickness_range, factor,
-                         findings);
+    if (inside && settings.attachments.resting(overlap.upper, overlap.lower)) {
+      settings.thickness[overlap.upper] = resting_thickness;
     }
   }
-  if (!findings.empty()) throw Error(std::move(findings));
-  return thickness;
+  settings.object_weights.clear();
+  for (Index o = 0; o < figure.objects.size(); ++o) {
+    const FigureObject& object = figure.objects[o];
+    DepthWeights weights{settings.options.weight_curvature, settings.options.weight_orientation,
+                         settings.options.weight_distance};
+    double& thickness = settings.thickness[o];
+    bool told = false;
+    if (const auto group = drawing.object_data.find(object.name); group != drawing.object_data.end()) {
+      read_number(object, group->second, "weight-curvature", weight_range, weights.curvature, findings);
+      read_number(object, group->second, "weight-orientation", weight_range, weights.orientation, findings);
+      read_number(object, group->second, "weight-distance", weight_range, weights.distance, findings);
+      told = read_number(object, group->second, thickness_key, thickness_range, thickness, findings);
+    }
+    for (std::size_t s = 0; s < object.strokes.size() && !told; ++s) {
+      const Attributes& data = drawing.strokes[object.strokes[s]].data;
+      told = read_number(object, data, thickness_key, thickness_range, thickness, findings);
+    }
+    settings.object_weights.push_back(weights);
+  }
 }
 
 }  // namespace croquis::silhouette
