@@ -4,31 +4,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "algorithms/silhouette/skeleton/median.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
-namespace {
-
-std::size_t object_count(const Attachments& attachments) {
-  std::size_t count = 0;
-  for (const auto& [pair, kappa] : attachments.pairs()) count = std::max<std::size_t>(count, pair.second + 1);
-  return count;
-}
-
-}  // namespace
 
 void Attachments::add(Index a, Index b, double kappa) {
-  const Pair pair = std::minmax(a, b);
-  kappa_[pair] = kappa;
-  std::erase(resting_, pair);
+  release(a, b);
+  kappa_[std::minmax(a, b)] = kappa;
 }
 
 void Attachments::rest(Index a, Index b) {
+  release(a, b);
   const Pair pair = std::minmax(a, b);
-  kappa_.erase(pair);
-  const auto place = std::lower_bound(resting_.begin(), resting_.end(), pair);
-  if (place == resting_.end() || *place != pair) resting_.insert(place, pair);
+  resting_.insert(std::lower_bound(resting_.begin(), resting_.end(), pair), pair);
 }
 
 void Attachments::release(Index a, Index b) {
@@ -52,7 +40,8 @@ bool Attachments::involves(Index object) const {
 }
 
 std::vector<std::vector<Index>> Attachments::groups() const {
-  const std::size_t count = object_count(*this);
+  Index count = 0;
+  for (const auto& [pair, kappa] : kappa_) count = std::max(count, pair.second + 1);
   DisjointSets sets(count);
   for (const auto& [pair, kappa] : kappa_) sets.unite(pair.first, pair.second);
   std::vector<std::vector<Index>> by_root(count);

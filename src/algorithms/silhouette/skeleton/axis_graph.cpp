@@ -2,55 +2,80 @@
 #include "algorithms/silhouette/skeleton/axis_graph.h"
 
 #include <algorithm>
-#include <bit>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "algorithms/silhouette/skeleton/triangle_corners.h"
 #include "croquis/geometry/predicates.h"
 
 namespace croquis::silhouette {
 namespace {
 
-struct Circle {
-  Vec2 centre = Vec2::Zero();
-  double radius = 0;
-};
+/// How far beyond the half circle over an edge swallowed points may lie, relative to its radius: round ends whose
+/// samples lie on the circle must pass in spite of rounding and slight noise.
+constexpr double covered_reach = 1.02;
 
-/// The circle through three points, if its centre lies inside their triangle.
-std::optional<Circle> inner_circumcircle(const std::array<Vec2, 3>& corners) {
-  const Vec2 u = corners[1] - corners[0];
-  const Vec2 v = corners[2] - corners[0];
-  const Vec2 offset = (v.squaredNorm() * left_of(u) - u.squaredNorm() * left_of(v)) / (2 * cross(u, v));
-  const Vec2 centre = corners[0] + offset;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (orientation(corners[i], corners[(i + 1) % 3], centre) <= 0) return std::nullopt;
-  }
-  return Circle{centre, offset.norm()};
-}
-
-class GraphBuilder {
+class AxisBuilder {
  public:
-  GraphBuilder(const ImmersedTriangulation& immersed, std::span<const Vec2> points, const AxisPruning& pruning)
+  AxisBuilder(const ImmersedTriangulation& immersed, std::span<const Vec2> points)
       : immersed_(immersed),
         points_(points),
-        pruning_(pruning),
+        open_(immersed.triangles.size()),
+        exit_(immersed.triangles.size(), no_index),
         edge_node_(3 * immersed.triangles.size(), no_index),
         cap_radius_(immersed.triangles.size(), std::numeric_limits<double>::quiet_NaN()),
-        cap_node_(immersed.triangles.size(), no_index) {}
+        cap_node_(immersed.triangles.size(), no_index) {
+    for (Index t = 0; t < open_.size(); ++t) {
+      for (Index i = 0; i < 3; ++i) open_[t][i] = immersed.neighbours[t][i] != no_index;
+    }
+  }
+
+  /// Absorbs insignificant branches (Igarashi, Matsuoka, Tanaka 1999, section 5.1, extended past junctions): a triangle
+  /// with one open edge goes if all contour points swallowed so far lie within 1.02 times the half length of that edge
+  /// from its midpoint; then its neighbour is next. What is left doesn't depend on the order, except that of a blob
+  /// that is absorbed altogether an arbitrary triangle, without open edges, remains.
+  void prune_axis() {
+    std::vector<std::vector<Index>> swallowed(open_.size());  // contour points behind closed inner edges
+    std::vector<Index> leaves;
+    for (Index t = 0; t < open_.size(); ++t) {
+      if (open_[t].count() == 1) leaves.push_back(t);
+    }
+    while (!leaves.empty()) {
+      const Index leaf = leaves.back();
+      leaves.pop_back();
+      // Its last open edge may have closed meanwhile: then it is what remains of a blob.
+      if (open_[leaf].count() != 1) continue;
+      const Index exit = open_corner(leaf);
+      std::vector<Index>& own = swallowed[leaf];
+      own.push_back(immersed_.triangles[leaf][exit]);
+      if (!covers(leaf, exit, own)) continue;
+      const Index neighbour = immersed_.neighbours[leaf][exit];
+      exit_[leaf] = exit;
+      absorbed_.push_back(leaf);
+      open_[leaf].reset();
+      open_[neighbour].reset(corner_across(immersed_.neighbours, neighbour, leaf));
+      std::vector<Index>& total = swallowed[neighbour];
+      if (total.size() < own.size()) total.swap(own);
+      total.insert(total.end(), own.begin(), own.end());
+      own = {};
+      if (open_[neighbour].count() == 1) leaves.push_back(neighbour);
+    }
+  }
 
   AxisGraph build() {
-    for (Index t = 0; t < immersed_.triangles.size(); ++t) {
-      if (pruning_.exit[t] != no_index) continue;
-      switch (pruning_.open_count(t)) {
+    for (Index t = 0; t < open_.size(); ++t) {
+      if (exit_[t] != no_index) continue;
+      switch (open_[t].count()) {
         case 0: add_blob(t); break;
         case 1: add_end(t); break;
         case 2: add_sleeve(t); break;
         default: add_junction(t);
       }
     }
+    spread_caps();
     measure_contours();
-    collect_absorbed_chords();
     return std::move(graph_);
   }
 
@@ -63,23 +88,52 @@ class GraphBuilder {
   }
 
   std::array<Index, 2> edge_ends(Index t, Index corner) const {
-    return {immersed_.triangles[t][(corner + 1) % 3], immersed_.triangles[t][(corner + 2) % 3]};
+    return {immersed_.triangles[t][next(corner)], immersed_.triangles[t][previous(corner)]};
   }
 
-  double edge_radius(Index t, Index corner) const {
+  /// Of the only open edge.
+  Index open_corner(Index t) const { return open_[t][0] ? 0 : open_[t][1] ? 1 : 2; }
+
+  bool covers(Index t, Index corner, const std::vector<Index>& vertices) const {
     const auto [a, b] = edge_ends(t, corner);
-    return (point(b) - point(a)).norm() / 2;
+    const Vec2 middle = (point(a) + point(b)) / 2;
+    const double limit = covered_reach * covered_reach * (point(b) - point(a)).squaredNorm() / 4;
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](Index vertex) { return (point(vertex) - middle).squaredNorm() <= limit; });
   }
 
-  Index longest_edge(Index t) const {
-    Index longest = 0;
-    for (const Index i : {1U, 2U}) longest = edge_radius(t, i) > edge_radius(t, longest) ? i : longest;
+  AxisNode edge_middle(Index t, Index corner) const {
+    const auto [a, b] = edge_ends(t, corner);
+    return {(point(a) + point(b)) / 2, (point(b) - point(a)).norm() / 2, t, corner};
+  }
+
+  AxisNode longest_edge_middle(Index t) const {
+    AxisNode longest = edge_middle(t, 0);
+    for (const Index i : {1U, 2U}) {
+      const AxisNode other = edge_middle(t, i);
+      if (other.radius > longest.radius) longest = other;
+    }
     return longest;
   }
 
-  Index twin_corner(Index t, Index corner) const {
-    const std::array<Index, 3>& back = immersed_.neighbours[immersed_.neighbours[t][corner]];
-    return static_cast<Index>(std::find(back.begin(), back.end(), t) - back.begin());
+  /// The middle of the circle through a triangle's corners, if it lies inside the triangle.
+  std::optional<AxisNode> inner_circumcentre(Index t) const {
+    const std::array<Vec2, 3> triangle = corners(t);
+    const Vec2 u = triangle[1] - triangle[0];
+    const Vec2 v = triangle[2] - triangle[0];
+    const Vec2 offset = (v.squaredNorm() * left_of(u) - u.squaredNorm() * left_of(v)) / (2 * cross(u, v));
+    const Vec2 centre = triangle[0] + offset;
+    for (Index i = 0; i < 3; ++i) {
+      if (orientation(triangle[i], triangle[next(i)], centre) <= 0) return std::nullopt;
+    }
+    return AxisNode{centre, offset.norm(), t, no_index};
+  }
+
+  AxisNode centroid(Index t) const {
+    const std::array<Vec2, 3> triangle = corners(t);
+    AxisNode node{(triangle[0] + triangle[1] + triangle[2]) / 3, std::numeric_limits<double>::infinity(), t, no_index};
+    for (const Vec2& corner : triangle) node.radius = std::min(node.radius, (corner - node.position).norm());
+    return node;
   }
 
   Index add_node(const AxisNode& node) {
@@ -91,10 +145,9 @@ class GraphBuilder {
   Index middle(Index t, Index corner) {
     Index& node = edge_node_[3 * t + corner];
     if (node == no_index) {
-      const auto [a, b] = edge_ends(t, corner);
-      node = add_node({(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner, {}});
+      node = add_node(edge_middle(t, corner));
       const Index twin = immersed_.neighbours[t][corner];
-      if (twin != no_index) edge_node_[3 * twin + twin_corner(t, corner)] = node;
+      if (twin != no_index) edge_node_[3 * twin + corner_across(immersed_.neighbours, twin, t)] = node;
     }
     return node;
   }
@@ -103,50 +156,34 @@ class GraphBuilder {
     std::array<Index, 2> joined{};
     std::size_t count = 0;
     for (Index i = 0; i < 3; ++i) {
-      if (pruning_.is_open(t, i)) joined[count++] = middle(t, i);
+      if (open_[t][i]) joined[count++] = middle(t, i);
     }
     graph_.edges.push_back(joined);
     cap_radius_[t] = (graph_.nodes[joined[0]].radius + graph_.nodes[joined[1]].radius) / 2;
   }
 
   void add_junction(Index t) {
-    AxisNode centre{Vec2::Zero(), 0, t, no_index, {}};
-    const std::array<Vec2, 3> triangle = corners(t);
-    if (const auto circle = inner_circumcircle(triangle)) {
-      centre.position = circle->centre;
-      centre.radius = circle->radius;
-    } else {
-      centre.position = (triangle[0] + triangle[1] + triangle[2]) / 3;
-      centre.radius = std::numeric_limits<double>::infinity();
-      for (const Vec2& corner : triangle) {
-        centre.radius = std::min(centre.radius, (corner - centre.position).norm());
-      }
-    }
-    const Index node = add_node(centre);
+    const std::optional<AxisNode> centre = inner_circumcentre(t);
+    const Index node = add_node(centre ? *centre : centroid(t));
     for (Index i = 0; i < 3; ++i) graph_.edges.push_back({node, middle(t, i)});
   }
 
   /// A terminal triangle, or one whose other branches were absorbed while it couldn't be: a branch ends here.
   void add_end(Index t) {
-    const auto open = static_cast<Index>(std::countr_zero(pruning_.open_edges[t]));
+    const Index open = open_corner(t);
     const Index way_on = middle(t, open);
-    cap_radius_[t] = graph_.nodes[way_on].radius;
-    cap_node_[t] = way_on;
     std::vector<Index> absorbed;
     for (Index i = 0; i < 3; ++i) {
       if (i != open && immersed_.neighbours[t][i] != no_index) absorbed.push_back(i);
     }
-    if (absorbed.empty()) return;
-    Index end = no_index;
+    Index end = way_on;
     if (absorbed.size() == 1) {
       end = middle(t, absorbed.front());
-    } else if (const auto circle = inner_circumcircle(corners(t))) {
-      end = add_node({circle->centre, circle->radius, t, no_index, {}});
-    } else if (const Index longest = longest_edge(t); longest != open) {
-      end = middle(t, longest);
+    } else if (absorbed.size() == 2) {
+      const std::optional<AxisNode> centre = inner_circumcentre(t);
+      end = centre ? add_node(*centre) : middle(t, longest_edge_middle(t).corner);
     }
-    if (end == no_index) return;
-    graph_.edges.push_back({end, way_on});
+    if (end != way_on) graph_.edges.push_back({end, way_on});
     cap_radius_[t] = graph_.nodes[end].radius;
     cap_node_[t] = end;
   }
@@ -154,7 +191,7 @@ class GraphBuilder {
   /// The whole component was absorbed: its largest circle stands for it, so that the node doesn't depend on the order.
   void add_blob(Index root) {
     std::vector<Index> triangles{root};
-    std::vector<bool> seen(immersed_.triangles.size(), false);
+    std::vector<bool> seen(open_.size(), false);
     seen[root] = true;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (const Index twin : immersed_.neighbours[triangles[i]]) {
@@ -165,42 +202,42 @@ class GraphBuilder {
     }
     std::sort(triangles.begin(), triangles.end());
     AxisNode best;
+    const auto offer = [&](const AxisNode& node) {
+      if (node.radius > best.radius) best = node;
+    };
     for (const Index t : triangles) {
-      const auto circle = inner_circumcircle(corners(t));
-      if (circle && circle->radius > best.radius) best = {circle->centre, circle->radius, t, no_index, {}};
+      if (const std::optional<AxisNode> centre = inner_circumcentre(t)) offer(*centre);
     }
-    if (best.triangle == no_index) best = longest_chord(triangles);
+    const bool has_circle = best.triangle != no_index;
+    for (std::size_t i = 0; i < triangles.size() && !has_circle; ++i) offer(longest_edge_middle(triangles[i]));
     cap_node_[root] = add_node(best);
     cap_radius_[root] = best.radius;
   }
 
-  AxisNode longest_chord(const std::vector<Index>& triangles) const {
-    AxisNode best;
-    for (const Index t : triangles) {
-      const Index corner = longest_edge(t);
-      const auto [a, b] = edge_ends(t, corner);
-      if (edge_radius(t, corner) <= best.radius) continue;
-      best = {(point(a) + point(b)) / 2, edge_radius(t, corner), t, corner, {}};
+  /// Gives absorbed triangles the radius, and the node, of the cap or blob that they became part of. A bulge at the
+  /// side of a sleeve has no node of its own.
+  void spread_caps() {
+    for (auto t = absorbed_.rbegin(); t != absorbed_.rend(); ++t) {
+      const Index absorbing = immersed_.neighbours[*t][exit_[*t]];
+      cap_radius_[*t] = cap_radius_[absorbing];
+      cap_node_[*t] = cap_node_[absorbing];
     }
-    return best;
-  }
-
-  /// The radius of the cap or bulge that a triangle became part of.
-  double absorbed_radius(Index t) {
-    std::vector<Index> chain;
-    while (std::isnan(cap_radius_[t]) && pruning_.exit[t] != no_index) {
-      chain.push_back(t);
-      t = immersed_.neighbours[t][pruning_.exit[t]];
+    for (Index t = 0; t < open_.size(); ++t) {
+      if (exit_[t] == no_index || cap_node_[t] == no_index) continue;
+      graph_.nodes[cap_node_[t]].absorbed.push_back(edge_ends(t, exit_[t]));
     }
-    for (const Index member : chain) {
-      cap_radius_[member] = cap_radius_[t];
-      cap_node_[member] = cap_node_[t];
-    }
-    return cap_radius_[t];
   }
 
   void measure_contours() {
     const std::size_t count = immersed_.planar_vertex.size();
+    graph_.vertex_radius.assign(count, std::numeric_limits<double>::quiet_NaN());
+    for (Index t = 0; t < open_.size(); ++t) {
+      for (Index i = 0; i < 3; ++i) {
+        double& result = graph_.vertex_radius[immersed_.triangles[t][i]];
+        // An absorbed triangle swallowed the corner opposite to its exit.
+        if (std::isnan(result) || i == exit_[t]) result = cap_radius_[t];
+      }
+    }
     std::vector<double> sum(count, 0);
     std::vector<int> chords(count, 0);
     for (const AxisNode& node : graph_.nodes) {
@@ -210,45 +247,28 @@ class GraphBuilder {
         ++chords[vertex];
       }
     }
-    graph_.vertex_radius.assign(count, std::numeric_limits<double>::quiet_NaN());
-    for (Index t = 0; t < immersed_.triangles.size(); ++t) {
-      const double radius = absorbed_radius(t);
-      for (const Index vertex : immersed_.triangles[t]) {
-        double& result = graph_.vertex_radius[vertex];
-        if (std::isnan(result) || belongs_to(t, vertex)) result = radius;
-      }
-    }
     for (std::size_t v = 0; v < count; ++v) {
       if (chords[v] > 0) graph_.vertex_radius[v] = sum[v] / chords[v];
     }
   }
 
-  /// Caps and blobs; a bulge at the side of a sleeve has no node of its own.
-  void collect_absorbed_chords() {
-    for (Index t = 0; t < immersed_.triangles.size(); ++t) {
-      if (pruning_.exit[t] == no_index || cap_node_[t] == no_index) continue;
-      graph_.nodes[cap_node_[t]].absorbed.push_back(edge_ends(t, pruning_.exit[t]));
-    }
-  }
-
-  /// An absorbed triangle swallowed the corner opposite to its exit.
-  bool belongs_to(Index t, Index vertex) const {
-    return pruning_.exit[t] != no_index && immersed_.triangles[t][pruning_.exit[t]] == vertex;
-  }
-
   const ImmersedTriangulation& immersed_;
   std::span<const Vec2> points_;
-  const AxisPruning& pruning_;
-  std::vector<Index> edge_node_;    ///< per triangle and corner
-  std::vector<double> cap_radius_;  ///< per triangle
-  std::vector<Index> cap_node_;     ///< per triangle: the node of the cap or blob that it belongs to
+  std::vector<std::bitset<3>> open_;  ///< per triangle: edges, by the corners opposite, that lead on along the axis
+  std::vector<Index> exit_;           ///< per triangle: the corner opposite to the edge it was absorbed through
+  std::vector<Index> absorbed_;       ///< triangles, in that order
+  std::vector<Index> edge_node_;      ///< per triangle and corner
+  std::vector<double> cap_radius_;    ///< per triangle
+  std::vector<Index> cap_node_;       ///< per triangle: the node of the cap or blob that it belongs to
   AxisGraph graph_;
 };
 
 }  // namespace
 
-AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points, const AxisPruning& pruning) {
-  return GraphBuilder(immersed, points, pruning).build();
+AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points) {
+  AxisBuilder builder(immersed, points);
+  builder.prune_axis();
+  return builder.build();
 }
 
 }  // namespace croquis::silhouette

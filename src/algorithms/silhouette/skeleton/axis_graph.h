@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/silhouette/skeleton/axis_pruning.h"
 #include "algorithms/silhouette/skeleton/immersed_triangulation.h"
 
 namespace croquis::silhouette {
@@ -17,7 +16,7 @@ struct AxisNode {
   Index triangle = no_index;
   Index corner = no_index;  ///< the edge opposite to this corner; no_index for the centre
   /// Ends of the chords that were absorbed into the cap or blob that this node stands for.
-  std::vector<std::array<Index, 2>> absorbed;
+  std::vector<std::array<Index, 2>> absorbed = {};
 };
 
 struct AxisGraph {
@@ -28,8 +27,20 @@ struct AxisGraph {
   std::vector<double> vertex_radius;
 };
 
-/// The chordal axis of the triangles that pruning left: a sleeve joins the middles of its two open edges, a junction
-/// its centre with three of them, a blob is one node.
-AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points, const AxisPruning& pruning);
+/// The chordal axis without insignificant branches: a sleeve joins the middles of its two open edges, a junction its
+/// centre with three of them, a blob is one node.
+AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points);
+
+/// Distance that neighbours along a branch should keep: max(least, factor r).
+struct NodeSpacing {
+  double least = 0;     ///< sketch units
+  double factor = 0.3;  ///< of the local radius
+};
+
+/// Leaves out nodes along branches so that neighbours are about that far apart; ends and junctions stay, and a loop
+/// keeps at least three nodes, wherever it is begun. Joined nodes much nearer than that become one.
+///
+/// Every branch is cut evenly, so the result doesn't depend on the direction it is followed in, but for rounding.
+AxisGraph decimate(const AxisGraph& graph, const NodeSpacing& spacing);
 
 }  // namespace croquis::silhouette

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-#include "algorithms/silhouette/skeleton/axis_decimation.h"
 #include "algorithms/silhouette/skeleton/axis_graph.h"
-#include "algorithms/silhouette/skeleton/axis_pruning.h"
-#include "algorithms/silhouette/skeleton/median.h"
 #include "algorithms/silhouette/skeleton/sheet_walk.h"
+#include "algorithms/silhouette/skeleton/triangle_corners.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -28,18 +26,18 @@ class NodeMaker {
     const std::array<Index, 3>& corners = immersed_.triangles[axis.triangle];
     node.object = object_of(corners[0]);
     if (axis.corner != no_index) {
-      follow_chord(corners[(axis.corner + 1) % 3], corners[(axis.corner + 2) % 3], node);
+      follow_chord(corners[next(axis.corner)], corners[previous(axis.corner)], node);
     } else {
       follow_spokes(corners, node);
     }
-    for (const auto& [from, to] : axis.absorbed) {
-      add_parts(walk_.walk(immersed_.lifted_vertex[from], point(to)), point(from), point(to), node);
-    }
+    for (const auto& [from, to] : axis.absorbed) add_parts(walk(from, point(to)), point(from), point(to), node);
     return node;
   }
 
  private:
   const Vec2& point(Index vertex) const { return figure_.points[immersed_.planar_vertex[vertex]]; }
+
+  std::vector<WalkStep> walk(Index from, const Vec2& to) const { return walk_.walk(immersed_.lifted_vertex[from], to); }
 
   Index object_of(Index vertex) const {
     const auto after = std::upper_bound(immersed_.first_vertex.begin(), immersed_.first_vertex.end(), vertex);
@@ -50,7 +48,7 @@ class NodeMaker {
 
   void follow_chord(Index from, Index to, SkeletonNode& node) const {
     node.chord = {point(from), point(to)};
-    const std::vector<WalkStep> steps = walk_.walk(immersed_.lifted_vertex[from], point(to));
+    const std::vector<WalkStep> steps = walk(from, point(to));
     const auto half = std::find_if(steps.begin(), steps.end(), [](const WalkStep& step) { return step.leave >= 0.5; });
     node.place = place_of(half->triangle);
     add_parts(steps, point(from), point(to), node);
@@ -59,14 +57,14 @@ class NodeMaker {
   /// From the corners of its triangle to a node at the centre.
   void follow_spokes(const std::array<Index, 3>& corners, SkeletonNode& node) const {
     double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
       const Vec2& here = point(corners[i]);
-      const Vec2& there = point(corners[(i + 1) % 3]);
+      const Vec2& there = point(corners[next(i)]);
       if ((there - here).squaredNorm() > longest) {
         longest = (there - here).squaredNorm();
         node.chord = {here, there};
       }
-      const std::vector<WalkStep> steps = walk_.walk(immersed_.lifted_vertex[corners[i]], node.position);
+      const std::vector<WalkStep> steps = walk(corners[i], node.position);
       node.place = place_of(steps.back().triangle);
       add_parts(steps, here, node.position, node);
     }
@@ -105,10 +103,10 @@ class NodeMaker {
 
 }  // namespace
 
-Skeleton chordal_axis(const LabelledFigure& figure, const LiftedTriangulation& lifted,
-                      const ImmersedTriangulation& immersed, double node_spacing) {
-  const AxisPruning pruning = prune_axis(immersed, figure.points);
-  const AxisGraph full = axis_graph(immersed, figure.points, pruning);
+Skeleton chordal_axis(const LabelledFigure& figure, double node_spacing, Progress& progress) {
+  const LiftedTriangulation lifted = lift(figure);
+  const ImmersedTriangulation immersed = immerse(figure, lifted, progress);
+  const AxisGraph full = axis_graph(immersed, figure.points);
   const AxisGraph graph = decimate(full, {least_axis_spacing * figure.unit, node_spacing});
 
   Skeleton skeleton;
@@ -125,12 +123,6 @@ Skeleton chordal_axis(const LabelledFigure& figure, const LiftedTriangulation& l
     skeleton.contour_radius.emplace_back(radius + immersed.first_vertex[c], radius + immersed.first_vertex[c + 1]);
   }
   return skeleton;
-}
-
-Skeleton chordal_axis(const LabelledFigure& figure, double node_spacing, Progress& progress) {
-  const LiftedTriangulation lifted = lift(figure);
-  const ImmersedTriangulation immersed = immerse(figure, lifted, progress);
-  return chordal_axis(figure, lifted, immersed, node_spacing);
 }
 
 }  // namespace croquis::silhouette

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "algorithms/silhouette/skeleton/immersed_triangulation.h"
-#include "algorithms/silhouette/skeleton/immersion.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -15,11 +13,7 @@ namespace croquis::silhouette {
 /// A tube without ends becomes one loop, a capsule one path, a disk one node. Each node knows its chord, the panels
 /// that the chord passes through (walked in its own sheet, never located in the plane) and its object.
 /// @param node_spacing local radii between nodes along a branch, 0.1..1; never nearer than 4 u
-/// @throws Error (E_INTERNAL) when a chord leaves the region; Cancelled
-Skeleton chordal_axis(const LabelledFigure& figure, const LiftedTriangulation& lifted,
-                      const ImmersedTriangulation& immersed, double node_spacing);
-
-/// The three stages from the figure to the skeleton at once.
+/// @throws Error (E_INTERNAL) when the figure's depths contradict each other; Cancelled
 Skeleton chordal_axis(const LabelledFigure& figure, double node_spacing, Progress& progress);
 
 }  // namespace croquis::silhouette

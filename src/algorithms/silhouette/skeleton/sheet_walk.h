@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/skeleton/immersion.h"
-#include "croquis/geometry/planar_triangulation.h"
 
 namespace croquis::silhouette {
 
@@ -32,11 +31,10 @@ class SheetWalk {
 
  private:
   struct State;
-  Index find_sector(const State& state, Index vertex, Index& corner) const;
+  const Vec2& point(Index vertex) const { return points_[lifted_.planar_vertex[vertex]]; }
   void pass_vertex(State& state) const;
-  void follow_edge(State& state, Index triangle, Index end_corner, Index other_corner) const;
   void cross_triangle(State& state) const;
-  void finish_step(State& state, Index triangle, double leave) const;
+  void enter_beyond(State& state, Index corner) const;
 
   std::span<const Vec2> points_;
   const LiftedTriangulation& lifted_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -47,6 +48,25 @@ struct Skeleton {
   /// Radius along the contours, from all chords before decimation: per contour and position the radius of the chord
   /// (or cap) that the contour vertex belongs to. NaN where no chord ends.
   std::vector<std::vector<double>> contour_radius;
+
+  /// Per node the nodes that its edges lead to.
+  std::vector<std::vector<Index>> neighbours() const {
+    std::vector<std::vector<Index>> around(nodes.size());
+    for (const auto& [a, b] : edges) {
+      around[a].push_back(b);
+      around[b].push_back(a);
+    }
+    return around;
+  }
 };
+
+/// The mean of both middle ones where their number is even; 0 for none.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
 
 }  // namespace croquis::silhouette
