@@ -155,7 +155,7 @@ void print_totals(std::ostream& out, const std::vector<Measured>& all) {
 double depth_factorisation_ms(const LabelledFigure& figure, const silhouette::DepthSettings& settings) {
   Progress progress;
   const silhouette::Skeleton skeleton = chordal_axis(figure, settings.options.node_spacing, progress);
-  const auto rows = silhouette::collision_rows(skeleton, figure, settings.options.minimum_gap * skeleton.scale);
+  const auto rows = silhouette::collision_rows(skeleton, figure, settings);
   double total = 0;
   for (const silhouette::DepthPart& part : depth_parts(skeleton, rows)) {
     LeastSquaresProblem problem = depth_problem(skeleton, part, settings);

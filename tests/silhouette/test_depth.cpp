@@ -10,8 +10,7 @@
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/skeleton/collision_rows.h"
 #include "algorithms/silhouette/skeleton/depth.h"
-#include "algorithms/silhouette/skeleton/depth_findings.h"
-#include "algorithms/silhouette/skeleton/depth_rows.h"
+#include "algorithms/silhouette/skeleton/depth_problem.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
 #include "support/sketches/sketch_gallery.h"
@@ -58,7 +57,7 @@ double mean_height(const Skeleton& skeleton) {
 
 /// Every pair that the figure puts above one another keeps its distance.
 void check_order(const Skeleton& skeleton, const LabelledFigure& figure) {
-  for (const CollisionRow& row : collision_rows(skeleton, figure, 0.1 * skeleton.scale)) {
+  for (const CollisionRow& row : collision_rows(skeleton, figure)) {
     CHECK(skeleton.nodes[row.upper].z - skeleton.nodes[row.lower].z >= row.bound - 1e-6 * skeleton.scale);
   }
 }
@@ -186,13 +185,14 @@ TEST_CASE("a joined part's rim lies on the front of the part behind it, however 
   lower.object = 1;
   LabelledFigure figure;
   figure.faces = {1};
-  Attachments joined;
-  joined.add(0, 1, 0.1);
+  DepthSettings settings;
+  settings.attachments.add(0, 1, 0.1);
   // The front of the part behind is half an ellipsoid of radius 3; the nearest place of the rim is (0, 1).
   const double round = std::sqrt(3 * 3 - 0.5 * 0.5 - 1);
   for (const double thickness : {0.3, 0.5, 1.0}) {
     for (const double other : {0.6, 1.0}) {
-      const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, 0.1, joined, {other, thickness});
+      settings.thickness = {other, thickness};
+      const std::vector<CollisionRow> rows = collision_rows(skeleton, figure, settings);
       REQUIRE(rows.size() == 1);
       CHECK(rows[0].upper == 0);
       CHECK(rows[0].bound == Approx(thickness * round));

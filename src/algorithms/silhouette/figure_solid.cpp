@@ -11,7 +11,6 @@
 #include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/skeleton/depth_findings.h"
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"

@@ -15,6 +15,7 @@ struct PanelNode {
   Index layer = 0;
   Index node = 0;
 
+  auto operator<=>(const PanelNode&) const = default;
   bool same_panel(const PanelNode& other) const { return face == other.face && layer == other.layer; }
 };
 
@@ -25,32 +26,20 @@ std::vector<PanelNode> nodes_by_panel(const Skeleton& skeleton, const LabelledFi
       entries.push_back({figure.faces[place.triangle], place.layer, n});
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const PanelNode& a, const PanelNode& b) {
-    return std::tie(a.face, a.layer, a.node) < std::tie(b.face, b.layer, b.node);
-  });
+  std::sort(entries.begin(), entries.end());
   return entries;
 }
 
 /// Where a node's part of the contour lies: the ends of its chord, and of a branch's last node the tip beyond it.
 std::vector<std::vector<Vec2>> rim_places(const Skeleton& skeleton) {
-  std::vector<std::vector<Vec2>> places(skeleton.nodes.size());
-  std::vector<int> degree(skeleton.nodes.size(), 0);
-  for (const auto& [i, k] : skeleton.edges) {
-    ++degree[i];
-    ++degree[k];
-  }
+  std::vector<std::vector<Vec2>> places;
+  for (const SkeletonNode& node : skeleton.nodes) places.emplace_back(node.chord.begin(), node.chord.end());
+  const std::vector<std::vector<Index>> neighbours = skeleton.neighbours();
   for (Index n = 0; n < places.size(); ++n) {
-    const auto& chord = skeleton.nodes[n].chord;
-    places[n].assign(chord.begin(), chord.end());
-  }
-  const auto add_tip = [&](Index end, Index before) {
-    const SkeletonNode& node = skeleton.nodes[end];
-    const Vec2 outward = node.position - skeleton.nodes[before].position;
-    if (degree[end] == 1) places[end].push_back(node.position + node.radius * outward.normalized());
-  };
-  for (const auto& [i, k] : skeleton.edges) {
-    add_tip(i, k);
-    add_tip(k, i);
+    if (neighbours[n].size() != 1) continue;
+    const SkeletonNode& node = skeleton.nodes[n];
+    const Vec2 outward = node.position - skeleton.nodes[neighbours[n].front()].position;
+    places[n].push_back(node.position + node.radius * outward.normalized());
   }
   return places;
 }
@@ -93,83 +82,48 @@ double touching_distance(const Section& a, const Section& b, double offset) {
   return sum((low + high) / 2);
 }
 
-class RowMaker {
- public:
-  RowMaker(const Skeleton& skeleton, double gap, double unit, const Attachments& attachments,
-           const std::vector<double>& thickness)
-      : skeleton_(skeleton),
-        gap_(gap),
-        resting_gap_(std::min(gap, resting_gap(skeleton.scale, unit))),
-        attachments_(attachments),
-        thickness_(thickness) {
-    if (!attachments.empty()) rims_ = rim_places(skeleton);
-  }
+/// Of a ball of that radius, away from its centre; 0 outside it.
+double ball_height(double radius, const Vec2& offset) {
+  return std::sqrt(std::max(0.0, radius * radius - offset.squaredNorm()));
+}
 
-  void add_rows(std::span<const PanelNode> above, std::span<const PanelNode> below, std::vector<CollisionRow>& rows) {
-    for (const PanelNode& upper : above) {
-      for (const PanelNode& lower : below) {
-        if (upper.node == lower.node) continue;
-        const double bound = least_distance(upper.node, lower.node);
-        if (bound > 0) rows.push_back({upper.node, lower.node, bound, reach(upper.node, lower.node)});
-      }
+/// Along z, of the middles of joined parts where two of their nodes lie over one another.
+double attached_height(double kappa, const SkeletonNode& a, const SkeletonNode& b, const DepthSettings& settings) {
+  const double deep_a = settings.thickness_of(a.object) * a.radius;
+  const double deep_b = settings.thickness_of(b.object) * b.radius;
+  const double wide = attached_distance(kappa, a.radius, b.radius);
+  return attached_distance(kappa, deep_a, deep_b) / wide * ball_height(wide, a.position - b.position);
+}
+
+/// @param upper_rim the upper node's places of the contour
+CollisionRow row_between(Index upper, Index lower, const Skeleton& skeleton, const LabelledFigure& figure,
+                         const DepthSettings& settings, std::span<const Vec2> upper_rim) {
+  const SkeletonNode& a = skeleton.nodes[upper];
+  const SkeletonNode& b = skeleton.nodes[lower];
+  const Vec2 offset = a.position - b.position;
+  const auto kappa = settings.attachments.kappa(a.object, b.object);
+  if (kappa) {
+    double bound = attached_height(*kappa, a, b, settings);
+    for (const Vec2& place : upper_rim) {
+      bound = std::max(bound, settings.thickness_of(b.object) * ball_height(b.radius, place - b.position));
     }
+    return {upper, lower, bound, attached_height(1, a, b, settings)};
   }
-
- private:
-  /// Along z.
-  double least_distance(Index upper, Index lower) const {
-    const SkeletonNode& a = skeleton_.nodes[upper];
-    const SkeletonNode& b = skeleton_.nodes[lower];
-    const double thick_a = thickness_of(a.object);
-    const double thick_b = thickness_of(b.object);
-    const Vec2 offset = a.position - b.position;
-    const auto kappa = attachments_.kappa(a.object, b.object);
-    if (!kappa) {
-      const double half_gap = (attachments_.resting(a.object, b.object) ? resting_gap_ : gap_) / 2;
-      return touching_distance({a.radius + half_gap, thick_a * a.radius + half_gap},
-                               {b.radius + half_gap, thick_b * b.radius + half_gap}, offset.norm());
-    }
-    double bound = attached_height(*kappa, a, b);
-    for (const Vec2& place : rims_[upper]) {
-      bound = std::max(bound, thick_b * height(b.radius, place - b.position));
-    }
-    return bound;
-  }
-
-  double reach(Index upper, Index lower) const {
-    const SkeletonNode& a = skeleton_.nodes[upper];
-    const SkeletonNode& b = skeleton_.nodes[lower];
-    return attachments_.kappa(a.object, b.object) ? attached_height(1, a, b) : 0;
-  }
-
-  /// Of the middles of joined parts where the nodes lie over one another.
-  double attached_height(double kappa, const SkeletonNode& a, const SkeletonNode& b) const {
-    const double wide = attached_distance(kappa, a.radius, b.radius);
-    const double deep = attached_distance(kappa, thickness_of(a.object) * a.radius, thickness_of(b.object) * b.radius);
-    return deep / wide * height(wide, a.position - b.position);
-  }
-
-  double thickness_of(Index object) const { return object < thickness_.size() ? thickness_[object] : 1; }
-
-  /// Of a ball of that radius, away from its centre; 0 outside it.
-  static double height(double radius, const Vec2& offset) {
-    return std::sqrt(std::max(0.0, radius * radius - offset.squaredNorm()));
-  }
-
-  const Skeleton& skeleton_;
-  double gap_;
-  double resting_gap_;
-  const Attachments& attachments_;
-  const std::vector<double>& thickness_;
-  std::vector<std::vector<Vec2>> rims_;  ///< per node; empty without attachments
-};
+  double gap = settings.options.minimum_gap * skeleton.scale;
+  if (settings.attachments.resting(a.object, b.object)) gap = std::min(gap, resting_gap(skeleton.scale, figure.unit));
+  const auto section = [&](const SkeletonNode& node) -> Section {
+    return {node.radius + gap / 2, settings.thickness_of(node.object) * node.radius + gap / 2};
+  };
+  return {upper, lower, touching_distance(section(a), section(b), offset.norm()), 0};
+}
 
 }  // namespace
 
-std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap,
-                                         const Attachments& attachments, const std::vector<double>& thickness) {
+std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure,
+                                         const DepthSettings& settings) {
+  const bool joined = !settings.attachments.empty();
   const std::vector<PanelNode> entries = nodes_by_panel(skeleton, figure);
-  RowMaker maker(skeleton, gap, figure.unit, attachments, thickness);
+  const std::vector<std::vector<Vec2>> rims = rim_places(skeleton);
   std::vector<CollisionRow> rows;
   std::vector<std::span<const PanelNode>> stack;  // panels of this face that lie above
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
@@ -177,9 +131,17 @@ std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const Labelle
     const std::span<const PanelNode> panel(entries.data() + begin, end - begin);
     const PanelNode& here = entries[begin];
     std::erase_if(stack, [&](const auto& above) {
-      return above.front().face != here.face || (attachments.empty() && above.front().layer + 1 != here.layer);
+      return above.front().face != here.face || (!joined && above.front().layer + 1 != here.layer);
     });
-    for (const auto& above : stack) maker.add_rows(above, panel, rows);
+    for (const auto& above : stack) {
+      for (const PanelNode& upper : above) {
+        for (const PanelNode& lower : panel) {
+          if (upper.node == lower.node) continue;
+          const CollisionRow row = row_between(upper.node, lower.node, skeleton, figure, settings, rims[upper.node]);
+          if (row.bound > 0) rows.push_back(row);
+        }
+      }
+    }
     stack.push_back(panel);
   }
   const auto ends = [](const CollisionRow& row) { return std::tie(row.upper, row.lower); };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/silhouette/skeleton/attachments.h"
+#include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -25,10 +25,7 @@ struct CollisionRow {
 /// deeper than the lower one's front: there it is seen. Sinking into one another isn't transitive: in a figure with
 /// attachments all panels of a stack get rows against one another, not only neighbours.
 /// Where objects aren't as deep as they are wide, the two circles are ellipses.
-/// @param gap sketch units
-/// @param thickness per object, see DepthSettings; empty: 1
-std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure, double gap,
-                                         const Attachments& attachments = {},
-                                         const std::vector<double>& thickness = {});
+std::vector<CollisionRow> collision_rows(const Skeleton& skeleton, const LabelledFigure& figure,
+                                         const DepthSettings& settings = {});
 
 }  // namespace croquis::silhouette

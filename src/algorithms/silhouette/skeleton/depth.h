@@ -6,8 +6,10 @@
 
 #include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
+#include "croquis/base/finding.h"
 #include "croquis/base/members.h"
 #include "croquis/base/progress.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
 
@@ -79,5 +81,9 @@ struct DepthResult {
 /// @throws Error (E_SOLVER) for weights that aren't finite; Cancelled
 DepthResult solve_depth(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings,
                         Progress& progress);
+
+/// One warning (W_COLLISION) for every place where parts couldn't be separated, with the strokes of both.
+Findings depth_findings(const DepthResult& result, const Skeleton& skeleton, const LabelledFigure& figure,
+                        const Drawing& drawing);
 
 }  // namespace croquis::silhouette

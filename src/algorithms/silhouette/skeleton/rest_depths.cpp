@@ -10,6 +10,7 @@
 
 #include "algorithms/silhouette/skeleton/overlap_cycles.h"
 #include "croquis/solver/least_squares.h"
+#include "croquis/solver/sparse_rows.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -58,11 +59,8 @@ using BodyParts = std::vector<BodyPart>;
 /// Parts of one body that are about as wide and as large as each other, and held in the same way; groups of one part
 /// are left out.
 std::vector<BodyParts> like_groups(BodyParts parts, const std::vector<ObjectSize>& sizes) {
-  std::sort(parts.begin(), parts.end(), [&](const BodyPart& a, const BodyPart& b) {
-    const auto key = [&](const BodyPart& one) {
-      return std::tuple(sizes[one.part].radius, sizes[one.part].area, one.part);
-    };
-    return key(a) < key(b);
+  std::ranges::sort(parts, {}, [&](const BodyPart& one) {
+    return std::tuple(sizes[one.part].radius, sizes[one.part].area, one.part);
   });
   const auto alike = [&](const BodyPart& a, const BodyPart& b) {
     const auto [small, large] = std::minmax(sizes[a.part].area, sizes[b.part].area);
@@ -73,11 +71,7 @@ std::vector<BodyParts> like_groups(BodyParts parts, const std::vector<ObjectSize
   for (const BodyPart& part : parts) {
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const BodyParts& members) { return alike(members.front(), part); });
-    if (group == groups.end()) {
-      groups.push_back({part});
-    } else {
-      group->push_back(part);
-    }
+    (group == groups.end() ? groups.emplace_back() : *group).push_back(part);
   }
   std::erase_if(groups, [](const BodyParts& group) { return group.size() < 2; });
   return groups;
@@ -105,13 +99,23 @@ class RestProblem {
 
  private:
   void find_heights(std::vector<double>& heights, Progress& progress) {
-    objective_.clear();
+    objective_ = {};
     targets_.clear();
     distances_.clear();
     add_plane_rows();
     add_pair_rows();
     add_like_rows();
-    const LeastSquaresSolution solution = solve_least_squares(problem(), {}, progress);
+    LeastSquaresProblem problem;
+    problem.objective = objective_.matrix(cycles_.count);
+    problem.target = Eigen::Map<const Eigen::VectorXd>(targets_.data(), problem.objective.rows());
+    SparseRows gaps;
+    problem.inequality_bounds.resize(static_cast<Eigen::Index>(distances_.size()));
+    for (const auto& [pair, distance] : distances_) {
+      problem.inequality_bounds[gaps.size()] = distance;
+      gaps.add({{pair.first, 1}, {pair.second, -1}});
+    }
+    problem.inequalities = gaps.matrix(cycles_.count);
+    const LeastSquaresSolution solution = solve_least_squares(problem, {}, progress);
     for (Index object = 0; object < heights.size(); ++object) {
       heights[object] = solution.x[cycles_.cycle[object]] * scale_;
     }
@@ -133,11 +137,8 @@ class RestProblem {
     return found;
   }
 
-  using Entries = std::vector<std::pair<Index, double>>;
-
-  void add_row(const Entries& entries, double target = 0) {
-    const auto row = static_cast<int>(targets_.size());
-    for (const auto& [unknown, value] : entries) objective_.emplace_back(row, static_cast<int>(unknown), value);
+  void add_row(std::initializer_list<SparseRows::Entry> row, double target = 0) {
+    objective_.add(row);
     targets_.push_back(target);
   }
 
@@ -189,24 +190,6 @@ class RestProblem {
     }
   }
 
-  LeastSquaresProblem problem() const {
-    LeastSquaresProblem problem;
-    problem.objective.resize(static_cast<Eigen::Index>(targets_.size()), cycles_.count);
-    problem.objective.setFromTriplets(objective_.begin(), objective_.end());
-    problem.target = Eigen::Map<const Eigen::VectorXd>(targets_.data(), problem.objective.rows());
-    std::vector<Eigen::Triplet<double>> gaps;
-    problem.inequality_bounds.resize(static_cast<Eigen::Index>(distances_.size()));
-    int row = 0;
-    for (const auto& [pair, distance] : distances_) {
-      gaps.emplace_back(row, static_cast<int>(pair.first), 1);
-      gaps.emplace_back(row, static_cast<int>(pair.second), -1);
-      problem.inequality_bounds[row++] = distance;
-    }
-    problem.inequalities.resize(row, cycles_.count);
-    problem.inequalities.setFromTriplets(gaps.begin(), gaps.end());
-    return problem;
-  }
-
   double scale_;
   std::vector<ObjectSize> sizes_;
   const ObjectBounds& bounds_;
@@ -214,7 +197,7 @@ class RestProblem {
   std::map<std::pair<Index, Index>, double> distances_;  ///< by cycles, in L
   std::vector<std::vector<Index>> below_;                ///< per object
   OverlapCycles cycles_;
-  std::vector<Eigen::Triplet<double>> objective_;
+  SparseRows objective_;
   std::vector<double> targets_;
 };
 
