@@ -94,6 +94,10 @@ void add_contour(const FixtureContour& contour, Index number, const std::vector<
     result.vertices.push_back(vertex);
     cut.positions.push_back(position);
   }
+  for (std::size_t i = 0; i < result.vertices.size(); ++i) {
+    figure.segments.push_back({result.vertices[i], result.vertices[(i + 1) % result.vertices.size()]});
+  }
+  figure.segment_arc.resize(figure.segments.size());
   result.drawn.assign(result.vertices.size(), 1);
   figure.contours.push_back(std::move(result));
   figure.raw_contours.push_back(contour.points);
@@ -117,15 +121,16 @@ void add_arc(FigureArc arc, const CutContour& cut, std::size_t point_count, cons
   Stroke stroke;
   stroke.id = "s" + std::to_string(fixture.drawing.strokes.size());
   stroke.closed = arc.count == count;
+  const std::size_t first = figure.segments.size() - count;  // the contour is the last one so far
   for (Index i = 0; i < arc.count; ++i) {
     const Index position = (arc.begin + i) % count;
-    const Index begin = contour.vertices[position];
-    figure.segments.push_back({begin, contour.vertices[(position + 1) % count]});
-    figure.segment_arc.push_back(static_cast<Index>(figure.arcs.size()));
+    figure.segment_arc[first + position] = static_cast<Index>(figure.arcs.size());
     contour.drawn[position] = arc.visible ? 1 : 0;
-    stroke.samples.push_back({figure.points[begin]});
+    stroke.samples.push_back({figure.points[contour.vertices[position]]});
   }
-  if (!stroke.closed) stroke.samples.push_back({figure.points[figure.segments.back()[1]]});
+  if (!stroke.closed) {
+    stroke.samples.push_back({figure.points[contour.vertices[(arc.begin + arc.count) % count]]});
+  }
   if (arc.visible) {
     contour.strokes.push_back(static_cast<Index>(fixture.drawing.strokes.size()));
     figure.objects[contour.object].strokes.push_back(contour.strokes.back());

@@ -3,8 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/sampling/figure_segments.h"
-#include "algorithms/silhouette/sampling/layer_count.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/sampling/proximity_grid.h"
 #include "algorithms/silhouette/sampling/rim_distance.h"
@@ -38,16 +36,15 @@ double region_area(const std::vector<Vec2>& points, const PlanarTriangulation& p
 
 TEST_CASE("counting layers from outside gives the figure's own numbers") {
   for (const test::FigureFixture& fixture : fixtures()) {
-    std::vector<SidedSegment> sided;
-    for (const DirectedSegment& s : directed_segments(fixture.figure)) sided.push_back({s.begin, s.end, s.side});
-    for (std::size_t s = 0; s < sided.size(); ++s) {
-      const auto& own = fixture.figure.segments[s];
-      CHECK(((own[0] == sided[s].begin && own[1] == sided[s].end) ||
-             (own[1] == sided[s].begin && own[0] == sided[s].end)));
+    std::vector<RimPiece> pieces;
+    for (const DirectedSegment& segment : directed_segments(fixture.figure)) pieces.push_back({segment});
+    REQUIRE(pieces.size() == fixture.figure.segments.size());
+    for (std::size_t s = 0; s < pieces.size(); ++s) {
+      CHECK(fixture.figure.segments[s] == std::array<Index, 2>{pieces[s].begin, pieces[s].end});
     }
-    CHECK(count_layers(fixture.figure.triangulation, sided) == fixture.figure.layers);
-    for (SidedSegment& s : sided) s.side = -s.side;
-    CHECK_THROWS_AS(count_layers(fixture.figure.triangulation, sided), Error);
+    CHECK(count_layers(fixture.figure.triangulation, pieces) == fixture.figure.layers);
+    for (RimPiece& piece : pieces) piece.side = -piece.side;
+    CHECK_THROWS_AS(count_layers(fixture.figure.triangulation, pieces), Error);
   }
 }
 
@@ -156,7 +153,11 @@ TEST_CASE("walking finds the triangle of any place") {
   const test::FigureFixture fixture = test::trefoil_figure();
   const std::vector<Vec2>& points = fixture.figure.points;
   PlanarWalk walk(points, fixture.figure.triangulation);
-  const auto [low, high] = bounds_of(points);
+  Vec2 low = points.front(), high = low;
+  for (const Vec2& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
   test::Random random(5);
   for (int k = 0; k < 500; ++k) {
     const Vec2 place(random.between(low.x() - 20, high.x() + 20), random.between(low.y() - 20, high.y() + 20));
@@ -177,7 +178,7 @@ TEST_CASE("walking finds the triangle of any place") {
 
 TEST_CASE("the grid agrees with measuring every distance") {
   test::Random random(9);
-  ProximityGrid grid({0, 0}, {100, 60}, 4);
+  ProximityGrid grid(4);
   std::vector<std::array<Vec2, 2>> items;
   for (int k = 0; k < 60; ++k) {
     const Vec2 a(random.between(0, 100), random.between(0, 60));

@@ -91,8 +91,8 @@ struct LabelledFigure {
   std::vector<FigureObject> objects;
   std::vector<FigureOverlap> overlaps;
   std::vector<NestedOutline> nested;  ///< closed strokes whose side no junction tells
-  std::vector<std::array<Index, 2>>
-      segments;                       ///< #S by 2: every contour segment once, the constraints of the triangulation
+  /// #S by 2: contour by contour every segment once, by its position; the constraints of the triangulation.
+  std::vector<std::array<Index, 2>> segments;
   std::vector<Index> segment_arc;     ///< #S: the arc that a segment belongs to
   PlanarTriangulation triangulation;  ///< of points, constrained to segments
   std::vector<int> layers;            ///< per triangle: w, the number of surfaces there

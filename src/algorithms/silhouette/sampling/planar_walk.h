@@ -19,9 +19,6 @@ class PlanarWalk {
   Index locate(const Vec2& place);
 
  private:
-  Index locate_by_search(const Vec2& place) const;
-  int first_edge_beyond(Index triangle, const Vec2& place, Index from) const;
-
   const std::vector<Vec2>* points_;
   const PlanarTriangulation* triangulation_;
   Index last_ = 0;

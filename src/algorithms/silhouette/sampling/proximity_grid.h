@@ -1,43 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
-#include "croquis/geometry/vector.h"
+#include "croquis/geometry/polyline.h"
 
 namespace croquis::silhouette {
 
-/// Answers "is anything nearer than d?" for points and segments, in constant time where they are spread evenly.
-///
-/// Every item is entered in all cells within the grid's reach, so that a query visits one cell only.
+/// Answers "is anything nearer than d?" for points and segments. Every item is entered in all cells within the grid's
+/// reach, so that a query visits one cell only.
 class ProximityGrid {
  public:
-  /// @param low,high corners of the box of all queries
-  /// @param reach    largest distance that will be asked for, > 0
-  ProximityGrid(const Vec2& low, const Vec2& high, double reach);
+  /// @param reach largest distance that will be asked for, > 0
+  explicit ProximityGrid(double reach) : reach_(reach) {}
 
-  void add(const Vec2& a, const Vec2& b);  ///< a segment
   void add(const Vec2& point) { add(point, point); }
+  void add(const Vec2& a, const Vec2& b) {  ///< a segment
+    const Vec2 around = Vec2::Constant(reach_);
+    const Cell low = cell_of(a.cwiseMin(b) - around), high = cell_of(a.cwiseMax(b) + around);
+    for (long x = low.first; x <= high.first; ++x) {
+      for (long y = low.second; y <= high.second; ++y) cells_[{x, y}].push_back({a, b});
+    }
+  }
 
   /// True when an item lies nearer to the place than the distance (at most the reach).
-  bool any_within(const Vec2& place, double distance) const;
+  bool any_within(const Vec2& place, double distance) const {
+    const auto cell = cells_.find(cell_of(place));
+    return cell != cells_.end() && std::any_of(cell->second.begin(), cell->second.end(), [&](const auto& item) {
+             const auto& [a, b] = item;
+             const Vec2 nearest = a + nearest_parameter(place, a, b) * (b - a);
+             return (nearest - place).squaredNorm() < distance * distance;
+           });
+  }
 
  private:
-  struct Entry {
-    Vec2 a, b;
-    std::int64_t next;
-  };
+  using Cell = std::pair<long, long>;
 
-  std::int64_t column(double x) const;
-  std::int64_t row(double y) const;
+  Cell cell_of(const Vec2& place) const {
+    return {std::lround(place.x() / (2 * reach_)), std::lround(place.y() / (2 * reach_))};
+  }
 
-  Vec2 low_;
   double reach_;
-  double cell_;
-  std::int64_t columns_, rows_;
-  std::vector<std::int64_t> first_;  ///< per cell, into entries_; -1 for none
-  std::vector<Entry> entries_;
+  std::map<Cell, std::vector<std::array<Vec2, 2>>> cells_;
 };
 
 }  // namespace croquis::silhouette

@@ -2,8 +2,8 @@
 #include "algorithms/silhouette/sampling/rim_radius.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 
 namespace croquis::silhouette {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr int smoothing_passes = 3;  // with weights 1/4, 1/2, 1/4: chords of neighbouring samples differ by their noise
 
 // Between the rows of a tube, radians: 15, 20 and 25 degrees.
-constexpr double tube_turns[] = {0.2617993877991494, 0.3490658503988659, 0.4363323129985824};
+constexpr std::array tube_turns = {0.2617993877991494, 0.3490658503988659, 0.4363323129985824};
 constexpr double last_angle = 1.12;  // beyond, the plane's own points are even on the surface
 
 // Contour steps.
@@ -50,39 +50,30 @@ void smooth_cycle(std::vector<double>& values) {
 
 }  // namespace
 
-RimRows::RimRows(double radius, double step) {
+std::vector<double> row_depths(double radius, double step) {
+  std::vector<double> depths;
   double angle = 0;
   double arc = first_arc * step;
-  double before = 0;
-  while (count_ < most) {
-    const double turn = count_ < std::size(tube_turns) ? tube_turns[count_] : tube_turns[std::size(tube_turns) - 1];
-    angle += std::min(turn, arc / radius);
+  while (depths.size() < most_rows) {
+    angle += std::min(tube_turns[std::min(depths.size(), tube_turns.size() - 1)], arc / radius);
     const double depth = radius * (1 - std::cos(angle));
-    if (angle > last_angle || (count_ >= std::size(tube_turns) && depth - before > widest_gap * step)) break;
+    if (angle > last_angle || (depths.size() >= tube_turns.size() && depth - depths.back() > widest_gap * step)) break;
     arc *= arc_growth;
-    depth_[count_++] = before = depth;
+    depths.push_back(depth);
   }
-}
-
-double first_row_depth(double radius, double step) {
-  return radius * (1 - std::cos(std::min(tube_turns[0], first_arc * step / radius)));
+  return depths;
 }
 
 double greatest_first_row() { return 1 - std::cos(tube_turns[0]); }
 
-std::vector<std::vector<double>> rim_radii(const LabelledFigure& figure, const Skeleton& skeleton) {
-  std::vector<std::vector<double>> radii;
-  for (std::size_t c = 0; c < figure.contours.size(); ++c) {
-    std::vector<double> values(figure.contours[c].vertices.size(), std::nan(""));
-    if (c < skeleton.contour_radius.size() && skeleton.contour_radius[c].size() == values.size()) {
-      values = skeleton.contour_radius[c];
-    }
+RimValues rim_radii(const Skeleton& skeleton) {
+  RimValues radii = skeleton.contour_radius;
+  for (std::vector<double>& values : radii) {
     if (std::all_of(values.begin(), values.end(), [](double r) { return std::isnan(r); })) {
       values.assign(values.size(), skeleton.scale);
     }
     fill_gaps(values);
     for (int pass = 0; pass < smoothing_passes; ++pass) smooth_cycle(values);
-    radii.push_back(std::move(values));
   }
   return radii;
 }
@@ -95,13 +86,10 @@ std::vector<Index> thin_objects(std::span<const double> thickness) {
   return thin;
 }
 
-std::vector<std::vector<double>> row_radii(const LabelledFigure& figure, std::vector<std::vector<double>> radii,
-                                           std::span<const Index> thin) {
+RimValues row_radii(const LabelledFigure& figure, RimValues radii, std::span<const Index> thin) {
   for (const Index object : thin) {
     for (const Index contour : figure.objects[object].contours) {
-      for (double& radius : radii[contour]) {
-        radius = std::min(widest_tube * figure.step, most_widening * radius);
-      }
+      for (double& radius : radii[contour]) radius = std::min(widest_tube * figure.step, most_widening * radius);
     }
   }
   return radii;

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "algorithms/silhouette/sampling/figure_segments.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/sampling/proximity_grid.h"
 #include "algorithms/silhouette/sampling/rim_radius.h"
 
 namespace croquis::silhouette {
 namespace {
+
+constexpr double least_cut_sine = 0.5;  // flatter crossings would send the cuts far along the other contour
+constexpr double end_clearance = 0.2;   // of the cut's distance or a step: keeps the pieces from becoming slivers
 
 // Clearances are parts of the contour step, as the density of everything follows it.
 constexpr double first_row_clearance = 0.3;  // from contours, and at most 0.9 of the row's own depth
@@ -26,37 +27,77 @@ constexpr double hexagon_point_clearance = 0.55;
 constexpr double hexagon_contour_clearance = 0.4;
 constexpr double least_crossing_sine = 0.3;  // flatter crossings have no corner to sample
 
+/// A figure's contour by its positions, which run on cyclically in both directions.
+struct CyclicContour {
+  const LabelledFigure& figure;
+  const FigureContour& contour;
+
+  CyclicContour(const LabelledFigure& f, Index c) : figure(f), contour(f.contours[c]) {}
+
+  Index wrapped(int position) const {
+    const auto count = static_cast<int>(contour.vertices.size());
+    return static_cast<Index>((position % count + count) % count);
+  }
+  const Vec2& point(int position) const { return figure.points[contour.vertices[wrapped(position)]]; }
+};
+
+/// Walks a distance along a contour and cuts the segment that it ends in.
+/// @param cuts of the contour's segments, by their positions
+void cut_at_distance(const CyclicContour& contour, Index position, int direction, double distance,
+                     std::vector<std::vector<double>>& cuts) {
+  const auto start = static_cast<int>(position);
+  const double clearance = end_clearance * std::min(distance, contour.figure.step);
+  double left = distance;
+  for (int k = 0; k < static_cast<int>(cuts.size()); ++k) {
+    const int from = start + direction * k;
+    const double length = (contour.point(from + direction) - contour.point(from)).norm();
+    if (left > length) {
+      left -= length;
+      continue;
+    }
+    if (left < clearance || length - left < clearance) return;
+    const double fraction = direction > 0 ? left / length : 1 - left / length;
+    std::vector<double>& own = cuts[contour.wrapped(direction > 0 ? from : from - 1)];
+    const auto is_near = [&](double other) { return std::abs(other - fraction) < clearance / length; };
+    if (std::none_of(own.begin(), own.end(), is_near)) own.push_back(fraction);
+    return;
+  }
+}
+
+/// The corner of the figure's bounding box with the least, and the one with the greatest coordinates.
+std::array<Vec2, 2> corners_of_box(const std::vector<Vec2>& points) {
+  std::array<Vec2, 2> box{points.front(), points.front()};
+  for (const Vec2& point : points) box = {box[0].cwiseMin(point), box[1].cwiseMax(point)};
+  return box;
+}
+
 class SheetPointCollector {
  public:
-  SheetPointCollector(const LabelledFigure& figure, const SheetRims& rims, double hexagon_spacing)
+  SheetPointCollector(const LabelledFigure& figure, const SheetSampling& sheets, const RimRows& rim_rows,
+                      double hexagon_spacing)
       : figure_(figure),
+        rim_rows_(rim_rows),
         step_(figure.step),
         spacing_(hexagon_spacing * figure.step),
-        bounds_(bounds_of(figure.points)),
         walk_(figure.points, figure.triangulation),
-        segments_(bounds_[0], bounds_[1], deep_row_clearance * step_),
-        spaced_(bounds_[0], bounds_[1], hexagon_point_clearance * spacing_),
-        rows_(bounds_[0], bounds_[1], row_row_clearance * step_) {
-    for (const RimPiece& piece : rims.pieces) {
-      segments_.add(piece.begin, piece.end);
-      spaced_.add(piece.begin);
-    }
-    for (const std::vector<double>& radii : rims.radii) {
-      std::vector<RimRows>& rows = rim_rows_.emplace_back();
-      rows.reserve(radii.size());
-      for (const double radius : radii) rows.emplace_back(radius, step_);
+        segments_(std::max(deep_row_clearance * step_, hexagon_contour_clearance * spacing_)),
+        spaced_(hexagon_point_clearance * spacing_),
+        rows_(row_row_clearance * step_) {
+    for (const RimPiece& piece : sheets.pieces) {
+      segments_.add(sheets.points[piece.begin], sheets.points[piece.end]);
+      spaced_.add(sheets.points[piece.begin]);
     }
   }
 
   void add_row(Index contour, std::size_t row) {
     Vec2 last(1e300, 1e300);
     const std::vector<Index>& vertices = figure_.contours[contour].vertices;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const RimRows& rows = rim_rows_[contour][i];
-      if (row >= rows.count()) continue;
-      const Vec2 place = figure_.points[vertices[i]] + rows.depth(row) * inward(contour, i);
+    for (Index i = 0; i < vertices.size(); ++i) {
+      const std::vector<double>& depths = rim_rows_[contour][i];
+      if (row >= depths.size()) continue;
+      const Vec2 place = figure_.points[vertices[i]] + depths[row] * inward(contour, i);
       const double gap = (place - last).norm();
-      if (gap < row_spacing * step_ || !fits_row(place, rows, row)) continue;
+      if (gap < row_spacing * step_ || !fits_row(place, depths, row)) continue;
       // Beside the middle of a row's edge, a point of another row would make a sliver of any slope.
       const bool passes_point =
           row > 0 && gap < 2 * step_ &&
@@ -67,12 +108,12 @@ class SheetPointCollector {
   }
 
   /// Rim points that were cut in need row points of their own: else edges run from there past the row.
-  void add_row_at_cut(const RimPiece& piece, std::size_t row) {
-    const RimRows& rows = rim_rows_[piece.contour][piece.position];
-    if (row >= rows.count()) return;
-    const Vec2 inside = figure_.contours[piece.contour].side * left_of((piece.end - piece.begin).normalized());
-    const Vec2 place = piece.begin + rows.depth(row) * inside;
-    if (fits_row(place, rows, row)) keep(place);
+  void add_row_at_cut(const RimPiece& piece, const SheetSampling& sheets, std::size_t row) {
+    const std::vector<double>& depths = rim_rows_[piece.contour][piece.position];
+    if (row >= depths.size()) return;
+    const Vec2& begin = sheets.points[piece.begin];
+    const Vec2 place = begin + depths[row] * (piece.side * left_of((sheets.points[piece.end] - begin).normalized()));
+    if (fits_row(place, depths, row)) keep(place);
   }
 
   /// Where the first two rows of two contours cross, inside both: each rim is steep there, and the rows' own points
@@ -82,72 +123,64 @@ class SheetPointCollector {
     const Vec2 b = inward(crossing.under_contour, crossing.under_position);
     const double sine = cross(a, b);
     if (std::abs(sine) < least_crossing_sine) return;
-    const RimRows& over_rows = rim_rows_[crossing.over_contour][crossing.over_position];
-    const RimRows& under_rows = rim_rows_[crossing.under_contour][crossing.under_position];
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, over_rows.count()); ++i) {
-      for (std::size_t j = 0; j < std::min<std::size_t>(2, under_rows.count()); ++j) {
-        const double over = over_rows.depth(i);
-        const double under = under_rows.depth(j);
-        const Vec2 offset = (over * Vec2(b.y(), -b.x()) + under * Vec2(-a.y(), a.x())) / sine;
+    const std::vector<double>& over_rows = rim_rows_[crossing.over_contour][crossing.over_position];
+    const std::vector<double>& under_rows = rim_rows_[crossing.under_contour][crossing.under_position];
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, over_rows.size()); ++i) {
+      for (std::size_t j = 0; j < std::min<std::size_t>(2, under_rows.size()); ++j) {
+        const Vec2 offset = (over_rows[i] * Vec2(b.y(), -b.x()) + under_rows[j] * Vec2(-a.y(), a.x())) / sine;
         const Vec2 place = figure_.points[crossing.vertex] + offset;
-        const double depth = std::min(over, under);
-        if (segments_.any_within(place, std::min(0.7 * depth, deep_row_clearance * step_)) ||
-            rows_.any_within(place, std::min(0.6 * depth, row_row_clearance * step_)))
-          continue;
-        if (layers_at(place) > 0) keep(place);
+        const double depth = std::min(over_rows[i], under_rows[j]);
+        if (is_free(place, std::min(0.7 * depth, deep_row_clearance * step_), rows_,
+                    std::min(0.6 * depth, row_row_clearance * step_))) {
+          keep(place);
+        }
       }
     }
   }
 
-  void add_node(const Vec2& place) {
-    if (segments_.any_within(place, hexagon_contour_clearance * spacing_)) return;
-    if (spaced_.any_within(place, hexagon_point_clearance * spacing_) || layers_at(place) <= 0) return;
-    keep(place);
+  /// A node of the skeleton or a point of the hexagonal grid.
+  void add_between_rows(const Vec2& place) {
+    if (is_free(place, hexagon_contour_clearance * spacing_, spaced_, hexagon_point_clearance * spacing_)) keep(place);
   }
 
   void add_hexagons() {
     const double height = spacing_ * std::sqrt(0.75);
     // Counted from the middle, so that a shifted or mirrored drawing gets the shifted or mirrored points.
-    const Vec2 middle = (bounds_[0] + bounds_[1]) / 2;
-    const Vec2 half = (bounds_[1] - bounds_[0]) / 2;
+    const auto [low, high] = corners_of_box(figure_.points);
+    const Vec2 middle = (low + high) / 2;
+    const Vec2 half = (high - low) / 2;
     const auto rows = static_cast<int>(half.y() / height);
     const auto columns = static_cast<int>(half.x() / spacing_) + 1;
-    std::vector<Vec2> chosen;
     for (int j = -rows; j <= rows; ++j) {
       for (int i = -columns; i <= columns; ++i) {
-        const Vec2 place = middle + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * spacing_, j * height);
-        if (segments_.any_within(place, hexagon_contour_clearance * spacing_)) continue;
-        if (!spaced_.any_within(place, hexagon_point_clearance * spacing_) && layers_at(place) > 0)
-          chosen.push_back(place);
+        add_between_rows(middle + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * spacing_, j * height));
       }
     }
-    points_.insert(points_.end(), chosen.begin(), chosen.end());
   }
 
   std::vector<Vec2> take() { return std::move(points_); }
 
  private:
-  Vec2 inward(Index contour, std::size_t i) const {
-    const std::vector<Index>& vertices = figure_.contours[contour].vertices;
-    const std::size_t count = vertices.size();
-    const Vec2& before = figure_.points[vertices[(i + count - 1) % count]];
-    const Vec2& at = figure_.points[vertices[i]];
-    const Vec2& after = figure_.points[vertices[(i + 1) % count]];
-    const Vec2 tangent = (at - before).normalized() + (after - at).normalized();
-    return figure_.contours[contour].side * left_of(tangent.normalized());
+  Vec2 inward(Index contour, Index position) const {
+    const CyclicContour around(figure_, contour);
+    const auto i = static_cast<int>(position);
+    const Vec2 tangent =
+        (around.point(i) - around.point(i - 1)).normalized() + (around.point(i + 1) - around.point(i)).normalized();
+    return around.contour.side * left_of(tangent.normalized());
   }
 
-  bool fits_row(const Vec2& place, const RimRows& rows, std::size_t row) {
-    const double depth = rows.depth(row);
-    const double gap = row > 0 ? depth - rows.depth(row - 1) : depth;
+  bool fits_row(const Vec2& place, const std::vector<double>& depths, std::size_t row) {
+    const double gap = row > 0 ? depths[row] - depths[row - 1] : depths[row];
     const double clearance = row > 0 ? deep_row_clearance : first_row_clearance;
-    return !segments_.any_within(place, std::min(0.9 * depth, clearance * step_)) &&
-           !rows_.any_within(place, std::min(0.6 * gap, row_row_clearance * step_)) && layers_at(place) > 0;
+    return is_free(place, std::min(0.9 * depths[row], clearance * step_), rows_,
+                   std::min(0.6 * gap, row_row_clearance * step_));
   }
 
-  int layers_at(const Vec2& place) {
+  /// Whether a place lies in the drawn region, away from contours and from other points.
+  bool is_free(const Vec2& place, double from_contours, const ProximityGrid& others, double from_others) {
+    if (segments_.any_within(place, from_contours) || others.any_within(place, from_others)) return false;
     const Index triangle = walk_.locate(place);
-    return triangle == no_index ? 0 : figure_.layers[triangle];
+    return triangle != no_index && figure_.layers[triangle] > 0;
   }
 
   void keep(const Vec2& place) {
@@ -157,30 +190,62 @@ class SheetPointCollector {
   }
 
   const LabelledFigure& figure_;
+  const RimRows& rim_rows_;
   double step_;
   double spacing_;  ///< of the hexagons
-  std::array<Vec2, 2> bounds_;
   PlanarWalk walk_;
   ProximityGrid segments_;
   ProximityGrid spaced_;  ///< all points so far
-  ProximityGrid rows_;
-  std::vector<std::vector<RimRows>> rim_rows_;  ///< per contour and position
+  ProximityGrid rows_;    ///< the same, to be asked within a smaller reach
   std::vector<Vec2> points_;
 };
 
 }  // namespace
 
-std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetRims& rims,
-                               const SheetDensity& density) {
-  SheetPointCollector collector(figure, rims, density.hexagon_spacing);
+std::vector<std::vector<double>> crossing_splits(const LabelledFigure& figure, const RimRows& rows) {
+  std::vector<std::vector<std::vector<double>>> cuts;  // per contour and position
+  for (const FigureContour& contour : figure.contours) cuts.emplace_back(contour.vertices.size());
+  const auto split = [&](Index contour, Index position, Index rim, Index rim_position) {
+    const CyclicContour crossed(figure, rim), cut(figure, contour);
+    const auto i = static_cast<int>(rim_position), k = static_cast<int>(position);
+    const Vec2 inward = crossed.contour.side * left_of(crossed.point(i + 1) - crossed.point(i - 1)).normalized();
+    for (const int direction : {1, -1}) {
+      const double slope = (cut.point(k + direction) - cut.point(k)).normalized().dot(inward);
+      if (slope <= 0) continue;
+      for (const double depth : rows[rim][rim_position]) {
+        cut_at_distance(cut, position, direction, depth / std::max(slope, least_cut_sine), cuts[contour]);
+      }
+    }
+  };
+  for (const FigureCrossing& crossing : figure.crossings) {
+    const auto& [vertex, over, over_position, under, under_position] = crossing;
+    split(under, under_position, over, over_position);
+    split(over, over_position, under, under_position);
+  }
+  std::vector<std::vector<double>> of_segments;
+  for (std::vector<std::vector<double>>& contour : cuts) {
+    for (std::vector<double>& own : contour) {
+      std::sort(own.begin(), own.end());
+      of_segments.push_back(std::move(own));
+    }
+  }
+  return of_segments;
+}
+
+std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetSampling& sheets,
+                               const RimRows& rows, Quality quality) {
+  // A draft has one row along every contour, and wider spaces between; in contour steps.
+  const bool is_draft = quality == Quality::Draft;
+  SheetPointCollector collector(figure, sheets, rows, is_draft ? 3 : 1.5);
   for (const FigureCrossing& crossing : figure.crossings) collector.add_crossing(crossing);
-  for (std::size_t row = 0; row < std::min(density.rows, RimRows::most); ++row) {
-    for (const RimPiece& piece : rims.pieces) {
-      if (piece.cut) collector.add_row_at_cut(piece, row);
+  for (std::size_t row = 0; row < (is_draft ? 1 : most_rows); ++row) {
+    for (const RimPiece& piece : sheets.pieces) {
+      const bool begins_at_cut = piece.begin >= figure.points.size();
+      if (begins_at_cut) collector.add_row_at_cut(piece, sheets, row);
     }
     for (Index c = 0; c < figure.contours.size(); ++c) collector.add_row(c, row);
   }
-  for (const SkeletonNode& node : skeleton.nodes) collector.add_node(node.position);
+  for (const SkeletonNode& node : skeleton.nodes) collector.add_between_rows(node.position);
   collector.add_hexagons();
   return collector.take();
 }

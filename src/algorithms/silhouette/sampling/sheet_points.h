@@ -3,34 +3,26 @@
 
 #include <vector>
 
-#include "algorithms/silhouette/sampling/rim_radius.h"
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/options.h"
 
 namespace croquis::silhouette {
 
-/// A piece of a contour in its direction.
-struct RimPiece {
-  Vec2 begin = Vec2::Zero();
-  Vec2 end = Vec2::Zero();
-  Index contour = 0;
-  Index position = 0;  ///< of the figure's segment that it is a piece of
-  bool cut = false;    ///< begins where the segment was cut, not at a point of the figure
-};
+/// Depths of the rows of points along the contours: per contour and position, see row_depths.
+using RimRows = std::vector<std::vector<std::vector<double>>>;
 
-struct SheetRims {
-  std::vector<RimPiece> pieces;                   ///< of the contours, already cut
-  const std::vector<std::vector<double>>& radii;  ///< per contour and position, see row_radii
-};
-
-struct SheetDensity {
-  std::size_t rows = RimRows::most;  ///< along every contour, at most
-  double hexagon_spacing = 1.5;      ///< contour steps
-};
+/// Per segment of the figure: ascending fractions of it at which to cut it.
+///
+/// A contour that meets the rim of another sheet is an edge of that sheet's triangulation too, and where thickness
+/// grows steeply its chord would cut a notch: it is cut where the rows along the rim would cut it.
+std::vector<std::vector<double>> crossing_splits(const LabelledFigure& figure, const RimRows& rows);
 
 /// Points inside the drawn region at which the sheets are to be sampled: rows along every contour, the skeleton's
 /// nodes, and a hexagonal grid between them. None lies on a contour; all keep their distance from each other.
-std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetRims& rims,
-                               const SheetDensity& density);
+/// @param sheets the contours' points and pieces, already cut
+std::vector<Vec2> sheet_points(const LabelledFigure& figure, const Skeleton& skeleton, const SheetSampling& sheets,
+                               const RimRows& rows, Quality quality);
 
 }  // namespace croquis::silhouette

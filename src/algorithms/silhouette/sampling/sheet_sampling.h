@@ -13,18 +13,27 @@
 
 namespace croquis::silhouette {
 
+/// A piece of one of the figure's segments, in the direction of its contour.
+struct RimPiece : DirectedSegment {
+  double radius = 0;      ///< of the surface there, see rim_radii
+  double row_radius = 0;  ///< of its rows, see row_radii
+};
+
 /// The immersed region sampled finely enough to carry a surface. The figure's points come first and keep their indices.
 struct SheetSampling {
   std::vector<Vec2> points;
-  std::vector<std::array<Index, 2>> segments;  ///< pieces of the contours, in the direction of their contour
-  std::vector<Index> parents;                  ///< per piece, the segment of the figure
-  std::vector<double> piece_radii;             ///< per piece, that of the surface there, see rim_radii
-  std::vector<double> row_radii;               ///< per piece, that of its rows, see row_radii
-  double step = 0;                             ///< of the contours' points
-  PlanarTriangulation planar;                  ///< of the points, constrained to the pieces
-  std::vector<int> layers;                     ///< per planar triangle
+  std::vector<RimPiece> pieces;  ///< of the contours
+  double step = 0;               ///< of the contours' points
+  PlanarTriangulation planar;    ///< of the points, constrained to the pieces
+  std::vector<int> layers;       ///< per planar triangle
   LiftedTriangulation lifted;
 };
+
+/// The number of surfaces over every triangle, by a flood from outside: one more behind each piece on its surface's
+/// side. Exact, O(#T).
+/// @param pieces the constraints of the triangulation, in its order
+/// @throws Error (E_INTERNAL) when two paths into a triangle contradict each other or a number is negative
+std::vector<int> count_layers(const PlanarTriangulation& planar, std::span<const RimPiece> pieces);
 
 /// Rows along the rims, cuts where contours cross, points between, all triangulated once and lifted. Every inner edge
 /// of the region has an end inside: else the front and the back of the surface would share that edge.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/skeleton/immersion.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -12,11 +11,9 @@
 namespace croquis::silhouette {
 namespace {
 
-void make_copies(const PlanarTriangulation& planar, std::span<const int> layers, LiftedTriangulation& lifted) {
-  if (layers.size() != planar.triangles.size()) throw_internal("the layers don't match the triangulation");
+void make_copies(std::span<const int> layers, LiftedTriangulation& lifted) {
   lifted.first_copy.reserve(layers.size() + 1);
   for (Index t = 0; t < layers.size(); ++t) {
-    if (layers[t] < 0) throw_internal("triangle " + std::to_string(t) + " has a negative number of layers");
     lifted.first_copy.push_back(static_cast<Index>(lifted.planar_triangle.size()));
     lifted.planar_triangle.insert(lifted.planar_triangle.end(), static_cast<std::size_t>(layers[t]), t);
   }
@@ -24,87 +21,65 @@ void make_copies(const PlanarTriangulation& planar, std::span<const int> layers,
   lifted.neighbours.assign(lifted.planar_triangle.size(), {no_index, no_index, no_index});
 }
 
-/// One planar edge seen from the side with at least as many layers as the other one.
-struct Side {
+/// A planar triangle at one of its edges; none beyond the hull.
+struct EdgeSide {
   Index triangle = no_index;
   Index corner = 0;
   int layers = 0;
 };
 
-Side other_side(const PlanarTriangulation& planar, std::span<const int> layers, const Side& side) {
-  const Index twin = planar.neighbours[side.triangle][side.corner];
-  if (twin == no_index) return {};
-  for (Index corner = 0; corner < 3; ++corner) {
-    if (planar.neighbours[twin][corner] == side.triangle) return {twin, corner, layers[twin]};
-  }
-  throw_internal("the neighbours of triangle " + std::to_string(side.triangle) + " disagree");
-}
-
-void glue(const Side& upper, const Side& lower, int ending, LiftedTriangulation& lifted) {
-  for (int layer = 0; layer < upper.layers; ++layer) {
-    if (layer == ending) continue;
-    const int twin_layer = ending >= 0 && layer > ending ? layer - 1 : layer;
-    const Index triangle = lifted.first_copy[upper.triangle] + static_cast<Index>(layer);
-    const Index twin = lifted.first_copy[lower.triangle] + static_cast<Index>(twin_layer);
-    lifted.neighbours[triangle][upper.corner] = twin;
-    lifted.neighbours[twin][lower.corner] = triangle;
-  }
-}
-
-void glue_edge(const Side& a, const Side& b, int depth, LiftedTriangulation& lifted) {
-  const Side& more = a.layers >= b.layers ? a : b;
-  const Side& fewer = a.layers >= b.layers ? b : a;
-  const bool contour = depth >= 0;
-  if (more.layers - fewer.layers != (contour ? 1 : 0) || depth >= more.layers) {
+/// @param depth the layer that ends at the edge; negative at a plain one
+void glue_edge(EdgeSide more, EdgeSide fewer, int depth, LiftedTriangulation& lifted) {
+  if (more.layers < fewer.layers) std::swap(more, fewer);
+  if (more.layers - fewer.layers != (depth >= 0 ? 1 : 0) || depth >= more.layers) {
     throw_internal("the numbers of layers " + std::to_string(more.layers) + " and " + std::to_string(fewer.layers) +
                    " don't fit an edge of depth " + std::to_string(depth));
   }
-  glue(more, fewer, contour ? depth : -1, lifted);
+  for (int layer = 0; layer < more.layers; ++layer) {
+    if (layer == depth) continue;
+    const int twin_layer = depth >= 0 && layer > depth ? layer - 1 : layer;
+    const Index triangle = lifted.first_copy[more.triangle] + static_cast<Index>(layer);
+    const Index twin = lifted.first_copy[fewer.triangle] + static_cast<Index>(twin_layer);
+    lifted.neighbours[triangle][more.corner] = twin;
+    lifted.neighbours[twin][fewer.corner] = triangle;
+  }
 }
 
 void glue_copies(const PlanarTriangulation& planar, std::span<const int> layers, std::span<const int> constraint_depth,
                  LiftedTriangulation& lifted) {
   for (Index t = 0; t < planar.triangles.size(); ++t) {
     for (Index corner = 0; corner < 3; ++corner) {
-      const Side side{t, corner, layers[t]};
-      const Side twin = other_side(planar, layers, side);
-      if (twin.triangle != no_index && twin.triangle < t) continue;
+      const Index twin = planar.neighbours[t][corner];
+      if (twin < t) continue;
+      EdgeSide beyond;
+      if (twin != no_index) beyond = {twin, corner_across(planar.neighbours, twin, t), layers[twin]};
       const Index constraint = planar.constraints[t][corner];
       if (constraint != no_index && constraint >= constraint_depth.size()) throw_internal("a constraint has no depth");
-      glue_edge(side, twin, constraint == no_index ? -1 : constraint_depth[constraint], lifted);
+      glue_edge({t, corner, layers[t]}, beyond, constraint == no_index ? -1 : constraint_depth[constraint], lifted);
     }
   }
 }
 
-DisjointSets join_corners(const PlanarTriangulation& planar, const LiftedTriangulation& lifted) {
-  DisjointSets sets(3 * lifted.neighbours.size());
-  for (Index m = 0; m < lifted.neighbours.size(); ++m) {
+void number_vertices(const PlanarTriangulation& planar, LiftedTriangulation& lifted) {
+  const auto count = static_cast<Index>(lifted.neighbours.size());
+  DisjointSets corners(3 * lifted.neighbours.size());
+  for (Index m = 0; m < count; ++m) {
     for (Index corner = 0; corner < 3; ++corner) {
       const Index twin = lifted.neighbours[m][corner];
       if (twin == no_index || twin < m) continue;
-      // The shared edge runs against the twin's sense: my next corner is its previous one.
-      const std::array<Index, 3>& ends = planar.triangles[lifted.planar_triangle[twin]];
-      const Index start = planar.triangles[lifted.planar_triangle[m]][next(corner)];
-      Index twin_start = 0;
-      while (ends[twin_start] != start) ++twin_start;
-      sets.unite(3 * m + next(corner), 3 * twin + twin_start);
-      sets.unite(3 * m + previous(corner), 3 * twin + previous(twin_start));
+      // The shared edge runs against the twin's sense.
+      const Index back = corner_across(lifted.neighbours, twin, m);
+      corners.unite(3 * m + next(corner), 3 * twin + previous(back));
+      corners.unite(3 * m + previous(corner), 3 * twin + next(back));
     }
   }
-  return sets;
-}
-
-void number_vertices(const PlanarTriangulation& planar, DisjointSets sets, LiftedTriangulation& lifted) {
-  std::vector<Index> number(3 * lifted.neighbours.size(), no_index);
-  lifted.triangles.resize(lifted.neighbours.size());
-  for (Index m = 0; m < lifted.triangles.size(); ++m) {
+  std::vector<Index> vertex;
+  lifted.planar_vertex.resize(corners.number(vertex));
+  lifted.triangles.resize(count);
+  for (Index m = 0; m < count; ++m) {
     for (Index corner = 0; corner < 3; ++corner) {
-      Index& vertex = number[sets.root(3 * m + corner)];
-      if (vertex == no_index) {
-        vertex = static_cast<Index>(lifted.planar_vertex.size());
-        lifted.planar_vertex.push_back(planar.triangles[lifted.planar_triangle[m]][corner]);
-      }
-      lifted.triangles[m][corner] = vertex;
+      lifted.triangles[m][corner] = vertex[3 * m + corner];
+      lifted.planar_vertex[vertex[3 * m + corner]] = planar.triangles[lifted.planar_triangle[m]][corner];
     }
   }
 }
@@ -137,93 +112,58 @@ void close_fans(const PlanarTriangulation& planar, LiftedTriangulation& lifted) 
   }
 }
 
-/// Every contour segment by its ends, so that it is found from two points in either order.
-struct SegmentTable {
-  std::vector<std::array<Index, 3>> rows;  ///< lower point, higher point, segment; ascending
-
-  explicit SegmentTable(std::span<const std::array<Index, 2>> segments) {
-    rows.reserve(segments.size());
-    for (Index s = 0; s < segments.size(); ++s) {
-      rows.push_back({std::min(segments[s][0], segments[s][1]), std::max(segments[s][0], segments[s][1]), s});
-    }
-    std::sort(rows.begin(), rows.end());
-  }
-
-  Index find(Index a, Index b) const {
-    const std::array<Index, 3> wanted{std::min(a, b), std::max(a, b), 0};
-    const auto row = std::lower_bound(rows.begin(), rows.end(), wanted);
-    if (row == rows.end() || (*row)[0] != wanted[0] || (*row)[1] != wanted[1])
-      throw_internal("a contour runs off its segments");
-    return (*row)[2];
-  }
-};
-
-/// Where the sheet of a segment ends: a lifted triangle and the corner opposite to the segment.
-struct RimEdge {
-  Index triangle = no_index;
-  Index corner = 0;
-};
-
-std::vector<RimEdge> rim_edges(const PlanarTriangulation& planar, const LiftedTriangulation& lifted,
-                               std::size_t segment_count) {
-  std::vector<RimEdge> rims(segment_count);
-  for (Index m = 0; m < lifted.neighbours.size(); ++m) {
-    for (Index corner = 0; corner < 3; ++corner) {
-      if (lifted.neighbours[m][corner] != no_index) continue;
-      rims[planar.constraints[lifted.planar_triangle[m]][corner]] = {m, corner};
-    }
-  }
-  return rims;
-}
-
-/// The lifted vertices at the ends of a contour's segment, in the contour's direction.
-std::array<Index, 2> rim_vertices(const LiftedTriangulation& lifted, const RimEdge& rim, Index begin) {
-  if (rim.triangle == no_index) throw_internal("a contour segment bounds no sheet");
-  const std::array<Index, 3>& triangle = lifted.triangles[rim.triangle];
-  const std::array<Index, 2> ends{triangle[next(rim.corner)], triangle[previous(rim.corner)]};
-  if (lifted.planar_vertex[ends[0]] == begin) return ends;
-  return {ends[1], ends[0]};
-}
-
 }  // namespace
 
-LiftedTriangulation lift(const LabelledFigure& figure) {
-  std::vector<int> depth(figure.segments.size());
-  for (std::size_t s = 0; s < depth.size(); ++s) depth[s] = figure.arcs[figure.segment_arc[s]].depth;
-  return lift(figure.triangulation, figure.layers, depth);
+std::vector<DirectedSegment> directed_segments(const LabelledFigure& figure) {
+  std::vector<DirectedSegment> segments;
+  for (Index c = 0; c < figure.contours.size(); ++c) {
+    const FigureContour& contour = figure.contours[c];
+    const auto count = static_cast<Index>(contour.vertices.size());
+    for (Index i = 0; i < count; ++i) {
+      const int depth = figure.arcs[figure.segment_arc[segments.size()]].depth;
+      segments.push_back({c, i, contour.vertices[i], contour.vertices[(i + 1) % count], contour.side, depth});
+    }
+  }
+  return segments;
 }
 
-std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, const LiftedTriangulation& lifted) {
-  const SegmentTable table(figure.segments);
-  const std::vector<RimEdge> rims = rim_edges(figure.triangulation, lifted, figure.segments.size());
-  std::vector<std::vector<Index>> vertices;
-  for (const FigureContour& contour : figure.contours) {
-    const std::size_t count = contour.vertices.size();
-    std::vector<Index> result(count, no_index);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t after = (i + 1) % count;
-      const Index begin = contour.vertices[i];
-      const auto ends = rim_vertices(lifted, rims[table.find(begin, contour.vertices[after])], begin);
-      for (const auto& [position, vertex] : {std::pair{i, ends[0]}, std::pair{after, ends[1]}}) {
-        if (result[position] != no_index && result[position] != vertex) {
-          throw_internal("the boundary leaves its contour at point " + std::to_string(contour.vertices[position]));
-        }
-        result[position] = vertex;
-      }
-    }
-    vertices.push_back(std::move(result));
-  }
-  return vertices;
+LiftedTriangulation lift(const LabelledFigure& figure) {
+  std::vector<int> depth;
+  for (const Index arc : figure.segment_arc) depth.push_back(figure.arcs[arc].depth);
+  return lift(figure.triangulation, figure.layers, depth);
 }
 
 LiftedTriangulation lift(const PlanarTriangulation& planar, std::span<const int> layers,
                          std::span<const int> constraint_depth) {
   LiftedTriangulation lifted;
-  make_copies(planar, layers, lifted);
+  make_copies(layers, lifted);
   glue_copies(planar, layers, constraint_depth, lifted);
-  number_vertices(planar, join_corners(planar, lifted), lifted);
+  number_vertices(planar, lifted);
   close_fans(planar, lifted);
   return lifted;
+}
+
+std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, const LiftedTriangulation& lifted) {
+  const std::vector<DirectedSegment> segments = directed_segments(figure);
+  std::vector<std::vector<Index>> vertices;
+  for (const FigureContour& contour : figure.contours) vertices.emplace_back(contour.vertices.size(), no_index);
+  for (Index m = 0; m < lifted.triangles.size(); ++m) {
+    for (Index corner = 0; corner < 3; ++corner) {
+      if (lifted.neighbours[m][corner] != no_index) continue;
+      const DirectedSegment& rim = segments[figure.triangulation.constraints[lifted.planar_triangle[m]][corner]];
+      std::array<Index, 2> ends{lifted.triangles[m][next(corner)], lifted.triangles[m][previous(corner)]};
+      if (lifted.planar_vertex[ends[0]] != rim.begin) std::swap(ends[0], ends[1]);
+      std::vector<Index>& contour = vertices[rim.contour];
+      for (Index k = 0; k < 2; ++k) {
+        Index& known = contour[(rim.position + k) % contour.size()];
+        if (known != no_index && known != ends[k]) {
+          throw_internal("the boundary leaves its contour at point " + std::to_string(lifted.planar_vertex[ends[k]]));
+        }
+        known = ends[k];
+      }
+    }
+  }
+  return vertices;
 }
 
 }  // namespace croquis::silhouette

@@ -12,6 +12,19 @@
 
 namespace croquis::silhouette {
 
+/// A segment of a figure in the direction of its contour.
+struct DirectedSegment {
+  Index contour = 0;
+  Index position = 0;  ///< in the contour's vertices
+  Index begin = 0;     ///< points
+  Index end = 0;
+  int side = 1;   ///< +1: the surface lies on its left
+  int depth = 0;  ///< surfaces in front
+};
+
+/// One per entry of LabelledFigure::segments.
+std::vector<DirectedSegment> directed_segments(const LabelledFigure& figure);
+
 /// The immersed region M: w copies of every planar triangle, joined across its edges by the paneling.
 ///
 /// Layer 0 is nearest to the viewer. All layers share one planar triangulation, so edges conform by construction.
@@ -45,8 +58,7 @@ LiftedTriangulation lift(const LabelledFigure& figure);
 
 /// The lifted vertex of every contour point: per contour, one per position.
 /// @throws Error (E_INTERNAL) when the boundary of the region doesn't follow the contours: contradicting depths around
-/// a
-///         crossing make it turn off there
+///         a crossing make it turn off there
 std::vector<std::vector<Index>> contour_vertices(const LabelledFigure& figure, const LiftedTriangulation& lifted);
 
 }  // namespace croquis::silhouette

@@ -29,7 +29,7 @@ RimLoops rim_loops(const SheetSampling& sheets) {
       const Index end = lifted.triangles[t][(corner + 2) % 3];
       loops.next[begin] = end;
       loops.previous[end] = begin;
-      loops.radius[begin] = sheets.piece_radii[sheets.planar.constraints[lifted.planar_triangle[t]][corner]];
+      loops.radius[begin] = sheets.pieces[sheets.planar.constraints[lifted.planar_triangle[t]][corner]].radius;
     }
   }
   const auto place = [&](Index v) { return sheets.points[lifted.planar_vertex[v]]; };

@@ -11,8 +11,7 @@ namespace {
 Index object_of_edge(const LabelledFigure& figure, const SheetSampling& sheets, Index lifted_triangle,
                      std::size_t corner) {
   const Index piece = sheets.planar.constraints[sheets.lifted.planar_triangle[lifted_triangle]][corner];
-  const Index arc = figure.segment_arc[sheets.parents[piece]];
-  return figure.contours[figure.arcs[arc].contour].object;
+  return figure.contours[sheets.pieces[piece].contour].object;
 }
 
 /// Marks everything connected with the triangle. @return the object whose boundary was met
