@@ -19,8 +19,6 @@ struct ImmersedTriangulation {
   std::vector<Index> first_vertex;               ///< #contours + 1
   std::vector<Index> planar_vertex;              ///< #V, index into the figure's points
   std::vector<Index> lifted_vertex;              ///< #V, the same place in the lifted triangulation
-  std::size_t removed_vertices = 0;              ///< diagnostics: interior vertices taken out
-  std::size_t flips = 0;                         ///< diagnostics: edges flipped
 };
 
 /// Takes the interior vertices (samples and crossings of contours that pass above or below a sheet) out of the lifted
