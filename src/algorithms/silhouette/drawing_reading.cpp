@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/drawing_reading.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,11 +13,13 @@
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/reading/tube_outlines.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
+#include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/jitter.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
+#include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -369,8 +369,13 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
   return nothing;
 }
 
-}  // namespace
-
+/// Finds the best reading of a drawing that can be labelled: what its strokes are, which of their ends meet, what they
+/// pass behind, and what lies over what.
+///
+/// Readings are tried from the cheapest on (reading_program.h); one whose contours can't be labelled is excluded with
+/// what its errors name. After some, only what the lines enclose is taken, with all lines in it as details: that can
+/// always be labelled. Bounds are counts.
+/// @throws Error when nothing can be labelled
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
   Material material{drawing, options, {}, {}, {}};
   sample(material);
@@ -402,9 +407,26 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (!first && has_errors(labelled.findings)) first = std::move(labelled);
     if (first && options.strokes.crossings == Crossings::Refuse && outlines_cross(material, *first)) break;
   }
-  if (with_losses) return *std::move(with_losses);
-  if (first) return *std::move(first);
-  return nothing_read(material, program);
+  LabelledDrawing result = with_losses ? *std::move(with_losses)
+                           : first     ? *std::move(first)
+                                       : nothing_read(material, program);
+  if (result.figures.empty()) throw Error(result.findings);
+  return result;
+}
+
+}  // namespace
+
+LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
+  StageKey key;
+  if (options.cache != nullptr) {
+    add_drawing(drawing, key);
+    key.add(options.strokes).add(options.completion).add(options.attach_suggested);
+  }
+  const auto labelled = cached<LabelledDrawing>(
+      options.cache, "silhouette labels", key, [&] { return read_drawing(drawing, options, progress); },
+      [](const LabelledDrawing& result) { return bytes_of(result); });
+  progress.report(1);
+  return *labelled;
 }
 
 }  // namespace croquis::silhouette
