@@ -11,7 +11,6 @@
 #include "algorithms/silhouette/surface/sheet_surface.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "algorithms/silhouette/surface/skeleton_curves.h"
-#include "algorithms/silhouette/surface/swept_limbs.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/meshes/mesh_shapes.h"
 

@@ -5,7 +5,6 @@
 
 #include "algorithms/silhouette/sampling/rim_distance.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/surface/rim_turn.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"

@@ -36,76 +36,62 @@ constexpr double lying_clearance = 1e-4;
 
 constexpr double nothing_below = -std::numeric_limits<double>::infinity();
 
-/// The part of all sheets that is one object, its vertices numbered by themselves.
-class ObjectSheet {
- public:
-  ObjectSheet(const SheetBasis& basis, Index object) : op_(basis.op), local_(basis.op.position.size(), no_index) {
-    for (std::size_t m = 0; m < basis.objects.size(); ++m) {
-      if (basis.objects[m] != object) continue;
-      triangles_.push_back(basis.sampling.lifted.triangles[m]);
-      for (const Index v : triangles_.back()) {
-        if (local_[v] != no_index) continue;
-        local_[v] = static_cast<Index>(vertices_.size());
-        vertices_.push_back(v);
-      }
-    }
-  }
-
-  const SheetOperator& op() const { return op_; }
-  const std::vector<Index>& vertices() const { return vertices_; }
-  Index local(Index vertex) const { return local_[vertex]; }
-  Eigen::Index size() const { return static_cast<Eigen::Index>(vertices_.size()); }
-
-  /// Calls with every neighbour of a vertex, the vertex among them, and its entry of the stiffness matrix.
-  template <typename Visit>
-  void for_neighbours(Index vertex, Visit visit) const {
-    for (SparseMatrix::InnerIterator near(op_.stiffness, static_cast<Eigen::Index>(vertex)); near; ++near) {
-      visit(static_cast<Index>(near.row()), near.value());
-    }
-  }
-
-  /// The length of the gradient of a piecewise linear function, given at vertices of all sheets, at the object's own:
-  /// its mean over the triangles around that know all their corners; 0 where there is none.
-  Eigen::VectorXd slopes(const Eigen::VectorXd& values) const {
-    std::vector<Vec2> sum(vertices_.size(), Vec2::Zero());
-    Eigen::VectorXd area = Eigen::VectorXd::Zero(size());
-    for (const auto& corners : triangles_) {
-      const auto at = [&](std::size_t k) -> const Vec2& { return op_.position[corners[k]]; };
-      Vec2 gradient = Vec2::Zero();
-      for (std::size_t k = 0; k < 3; ++k) gradient += values[corners[k]] * left_of(at((k + 2) % 3) - at((k + 1) % 3));
-      if (!gradient.allFinite()) continue;
-      for (const Index v : corners) {
-        sum[local_[v]] += gradient;  // times twice the area of the triangle
-        area[local_[v]] += cross(at(1) - at(0), at(2) - at(0));
-      }
-    }
-    Eigen::VectorXd lengths = Eigen::VectorXd::Zero(size());
-    for (Eigen::Index row = 0; row < size(); ++row) {
-      if (area[row] > 0) lengths[row] = sum[static_cast<std::size_t>(row)].norm() / area[row];
-    }
-    return lengths;
-  }
-
- private:
-  const SheetOperator& op_;
-  std::vector<Index> local_;  ///< per vertex of all sheets
-  std::vector<Index> vertices_;
-  std::vector<std::array<Index, 3>> triangles_;
+/// The part of all sheets that is one object; its vertices are the rows of its own systems.
+struct ObjectSheet {
+  std::vector<Eigen::Index> vertices;             ///< per row
+  std::vector<Index> rows;                        ///< per vertex of all sheets
+  std::vector<std::array<Index, 3>> triangles{};  ///< of vertices of all sheets
 };
 
+ObjectSheet object_sheet(const SheetBasis& basis, Index object) {
+  ObjectSheet sheet{{}, std::vector<Index>(basis.op.position.size(), no_index)};
+  for (std::size_t m = 0; m < basis.objects.size(); ++m) {
+    if (basis.objects[m] != object) continue;
+    sheet.triangles.push_back(basis.sampling.lifted.triangles[m]);
+    for (const Index v : sheet.triangles.back()) {
+      if (sheet.rows[v] != no_index) continue;
+      sheet.rows[v] = static_cast<Index>(sheet.vertices.size());
+      sheet.vertices.push_back(v);
+    }
+  }
+  return sheet;
+}
+
+/// Per row the length of the gradient of a piecewise linear function, given at vertices of all sheets: its mean over
+/// the triangles around that know all their corners; 0 where there is none.
+Eigen::ArrayXd slopes(const SheetOperator& op, const ObjectSheet& sheet, const Eigen::VectorXd& values) {
+  std::vector<Vec2> sum(sheet.vertices.size(), Vec2::Zero());
+  std::vector<double> area(sheet.vertices.size(), 0);
+  for (const auto& corners : sheet.triangles) {
+    const auto at = [&](std::size_t k) -> const Vec2& { return op.position[corners[k]]; };
+    Vec2 gradient = Vec2::Zero();
+    for (std::size_t k = 0; k < 3; ++k) gradient += values[corners[k]] * left_of(at((k + 2) % 3) - at((k + 1) % 3));
+    if (!gradient.allFinite()) continue;
+    for (const Index v : corners) {
+      sum[sheet.rows[v]] += gradient;  // times twice the area of the triangle
+      area[sheet.rows[v]] += cross(at(1) - at(0), at(2) - at(0));
+    }
+  }
+  Eigen::ArrayXd lengths = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(area.size()));
+  for (std::size_t row = 0; row < area.size(); ++row) {
+    if (area[row] > 0) lengths[static_cast<Eigen::Index>(row)] = sum[row].norm() / area[row];
+  }
+  return lengths;
+}
+
 /// Means over neighbours, several times: thickness must not show single triangles.
-Eigen::VectorXd evened(const ObjectSheet& sheet, Eigen::VectorXd values) {
+Eigen::ArrayXd evened(const SheetOperator& op, const ObjectSheet& sheet, Eigen::ArrayXd values) {
   constexpr int passes = 6;
   for (int pass = 0; pass < passes; ++pass) {
-    const Eigen::VectorXd before = values;
-    for (Eigen::Index row = 0; row < sheet.size(); ++row) {
+    const Eigen::ArrayXd before = values;
+    for (Eigen::Index row = 0; row < values.size(); ++row) {
       double sum = 0;
       double weight = 0;
-      sheet.for_neighbours(sheet.vertices()[static_cast<std::size_t>(row)], [&](Index near, double) {
-        const double area = sheet.op().area[static_cast<Eigen::Index>(near)];
-        sum += area * before[static_cast<Eigen::Index>(sheet.local(near))];
-        weight += area;
-      });
+      for (SparseMatrix::InnerIterator near(op.stiffness, sheet.vertices[static_cast<std::size_t>(row)]); near;
+           ++near) {
+        sum += op.area[near.row()] * before[sheet.rows[static_cast<std::size_t>(near.row())]];
+        weight += op.area[near.row()];
+      }
       values[row] = sum / weight;
     }
   }
@@ -143,96 +129,67 @@ std::vector<Index> draping_order(const std::vector<Index>& objects, const std::v
   return order;
 }
 
-/// Heights over one object's vertices.
-class Layer {
- public:
-  /// @param floor per vertex of all sheets, the highest front below it
-  Layer(const ObjectSheet& sheet, const Eigen::VectorXd& floor, double radius)
-      : sheet_(sheet), floor_(floor), radius_(radius), pull_(pulls()) {}
+/// Per row the part of its area that is pulled to the floor; 0 where nothing lies below.
+Eigen::ArrayXd pulls(const Eigen::ArrayXd& floor, const Eigen::ArrayXd& slope) {
+  const auto covered = floor > nothing_below;
+  const double gentlest = covered.select(slope, std::numeric_limits<double>::infinity()).minCoeff();
+  const Eigen::ArrayXd rest = (1 - ((slope - gentlest) / steep).square()).max(0);
+  return covered.select(rest.square().max(least_pull), 0);
+}
 
-  /// As near to the floor as the bending allows, nowhere below it.
-  Eigen::VectorXd heights() const {
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(sheet_.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      if (!covered(row)) continue;
-      const double pull = pull_[row] * sheet_.op().area[static_cast<Eigen::Index>(vertex(row))];
-      entries.emplace_back(row, row, pull);
-      right[row] = pull * floor_at(row);
-      least = std::min(least, floor_at(row));
-    }
-    add_levelling(entries);
-    SparseMatrix matrix(sheet_.size(), sheet_.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    matrix += bending();
-    Eigen::VectorXd result = SymmetricFactors(matrix).solve(right);
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      result[row] = std::max(result[row], covered(row) ? floor_at(row) : least);
-    }
-    return result;
-  }
-
- private:
-  Index vertex(Eigen::Index row) const { return sheet_.vertices()[static_cast<std::size_t>(row)]; }
-  double floor_at(Eigen::Index row) const { return floor_[static_cast<Eigen::Index>(vertex(row))]; }
-  bool covered(Eigen::Index row) const { return floor_at(row) > nothing_below; }
-
-  /// Per row the part of its area that is pulled; 0 where nothing lies below.
-  Eigen::VectorXd pulls() const {
-    const Eigen::VectorXd slope = sheet_.slopes(floor_);
-    double gentlest = std::numeric_limits<double>::infinity();
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      if (covered(row)) gentlest = std::min(gentlest, slope[row]);
-    }
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(sheet_.size());
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      if (!covered(row)) continue;
-      const double excess = (slope[row] - gentlest) / steep;
-      const double rest = std::max(0.0, 1 - excess * excess);
-      pull[row] = std::max(rest * rest, least_pull);
-    }
-    return pull;
-  }
-
-  /// The square of the Laplacian, integrated. At a rim that lies on something nothing keeps the slope level.
-  SparseMatrix bending() const {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      const Index v = vertex(row);
-      if (sheet_.op().on_boundary[v] && pull_[row] > firm_pull) continue;
-      const double scale = 1 / std::sqrt(sheet_.op().area[static_cast<Eigen::Index>(v)]);
-      sheet_.for_neighbours(
-          v, [&](Index near, double value) { entries.emplace_back(row, sheet_.local(near), scale * value); });
-    }
-    SparseMatrix laplacian(sheet_.size(), sheet_.size());
-    laplacian.setFromTriplets(entries.begin(), entries.end());
-    const SparseMatrix square = laplacian.transpose() * laplacian;
-    return std::pow(bending_length * radius_, 4) * square;
-  }
-
-  /// The square of the gradient where nothing lies below.
-  void add_levelling(std::vector<Eigen::Triplet<double>>& entries) const {
-    const double length = bending_length * bending_length / levelling_length * radius_;
-    for (Eigen::Index row = 0; row < sheet_.size(); ++row) {
-      if (covered(row)) continue;
-      sheet_.for_neighbours(vertex(row), [&](Index near, double value) {
-        if (near == vertex(row)) return;
-        const auto column = static_cast<Eigen::Index>(sheet_.local(near));
-        const double weight = length * length * std::max(-value, 0.0);
-        entries.emplace_back(row, row, weight);
-        entries.emplace_back(column, column, weight);
-        entries.emplace_back(row, column, -weight);
-        entries.emplace_back(column, row, -weight);
-      });
+/// The square of the Laplacian, integrated. At a rim that lies on something nothing keeps the slope level.
+SparseMatrix bending_energy(const SheetOperator& op, const ObjectSheet& sheet, const Eigen::ArrayXd& pull,
+                            double length) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index row = 0; row < pull.size(); ++row) {
+    const Eigen::Index v = sheet.vertices[static_cast<std::size_t>(row)];
+    if (op.on_boundary[static_cast<std::size_t>(v)] && pull[row] > firm_pull) continue;
+    const double scale = 1 / std::sqrt(op.area[v]);
+    for (SparseMatrix::InnerIterator near(op.stiffness, v); near; ++near) {
+      entries.emplace_back(row, sheet.rows[static_cast<std::size_t>(near.row())], scale * near.value());
     }
   }
+  SparseMatrix laplacian(pull.size(), pull.size());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix square = laplacian.transpose() * laplacian;
+  return std::pow(length, 4) * square;
+}
 
-  const ObjectSheet& sheet_;
-  const Eigen::VectorXd& floor_;
-  double radius_;
-  Eigen::VectorXd pull_;  ///< per row
-};
+/// Per row the height of a sheet that is as near to the floor as the bending allows, and nowhere below it.
+/// @param floor per vertex of all sheets, see floor_of
+Eigen::VectorXd bent_to(const Eigen::VectorXd& floor, const SheetOperator& op, const ObjectSheet& sheet,
+                        double radius) {
+  const Eigen::ArrayXd own = floor(sheet.vertices);
+  const Eigen::ArrayXd pull = pulls(own, slopes(op, sheet, floor));
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(own.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index row = 0; row < own.size(); ++row) {
+    if (!(own[row] > nothing_below)) continue;
+    const double weight = pull[row] * op.area[sheet.vertices[static_cast<std::size_t>(row)]];
+    entries.emplace_back(row, row, weight);
+    right[row] = weight * own[row];
+    least = std::min(least, own[row]);
+  }
+  // The square of the gradient where nothing lies below.
+  const double length = bending_length * bending_length / levelling_length * radius;
+  for (Eigen::Index row = 0; row < own.size(); ++row) {
+    if (own[row] > nothing_below) continue;
+    for (SparseMatrix::InnerIterator near(op.stiffness, sheet.vertices[static_cast<std::size_t>(row)]); near; ++near) {
+      const Eigen::Index column = sheet.rows[static_cast<std::size_t>(near.row())];
+      if (column == row) continue;
+      const double weight = length * length * std::max(-near.value(), 0.0);
+      entries.emplace_back(row, row, weight);
+      entries.emplace_back(column, column, weight);
+      entries.emplace_back(row, column, -weight);
+      entries.emplace_back(column, row, -weight);
+    }
+  }
+  SparseMatrix matrix(own.size(), own.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix += bending_energy(op, sheet, pull, bending_length * radius);
+  return SymmetricFactors(matrix).solve(right).array().max(own.max(least)).matrix();
+}
 
 /// Per lifted vertex of the object the height at which its middle lies on what it rests on: on the highest front, or
 /// before it where that is too thin for all of the half that sinks in.
@@ -249,42 +206,35 @@ Eigen::VectorXd floor_of(const MidSurfaceData& data, const InflatedSheets& sheet
   return floor;
 }
 
-/// Heights of the sheet as it is, moved as a whole so that it touches the floor.
+/// Per row the height of the sheet as it is, moved as a whole so that it touches the floor.
 Eigen::VectorXd moved_to(const Eigen::VectorXd& floor, const ObjectSheet& sheet, const Eigen::VectorXd& z) {
-  double move = nothing_below;
-  for (const Index v : sheet.vertices()) move = std::max(move, floor[v] - z[v]);
-  Eigen::VectorXd heights(sheet.size());
-  for (Eigen::Index row = 0; row < sheet.size(); ++row)
-    heights[row] = z[sheet.vertices()[static_cast<std::size_t>(row)]] + move;
-  return heights;
+  const Eigen::ArrayXd own = z(sheet.vertices);
+  return own + (floor(sheet.vertices).array() - own).maxCoeff();
 }
 
 }  // namespace
 
 Draping drape_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                      const MidSurfaceData& data, InflatedSheets& sheets, Progress& progress) {
-  const std::vector<Index> objects = objects_of_vertices(basis);
+  const std::vector<Index>& objects = basis.vertex_objects;
   const std::vector<double> radii = object_radii(skeleton);
   Draping draping{{}, Eigen::VectorXd::Zero(sheets.z.size())};
   Eigen::VectorXd middle = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);
   for (const Index object : draping_order(objects, data.pairs, settings.attachments)) {
     progress.check();
-    const ObjectSheet sheet(basis, object);
+    const ObjectSheet sheet = object_sheet(basis, object);
     const auto rests = [&](const StackedPair& pair) { return pair.resting && objects[pair.upper] == object; };
     const auto bends = [&](const StackedPair& pair) { return rests(pair) && bends_over(pair, objects, radii); };
-    const Eigen::VectorXd heights = std::ranges::any_of(data.pairs, bends)
-                                        ? Layer(sheet, floor_of(data, sheets, bends), radii[object]).heights()
-                                        : moved_to(floor_of(data, sheets, rests), sheet, sheets.z);
-    for (Eigen::Index row = 0; row < sheet.size(); ++row) {
-      middle[sheet.vertices()[static_cast<std::size_t>(row)]] = heights[row];
+    middle(sheet.vertices) = std::ranges::any_of(data.pairs, bends)
+                                 ? bent_to(floor_of(data, sheets, bends), basis.op, sheet, radii[object])
+                                 : moved_to(floor_of(data, sheets, rests), sheet, sheets.z);
+    const Eigen::ArrayXd slope = evened(basis.op, sheet, slopes(basis.op, sheet, middle));
+    const Eigen::ArrayXd tilt = (1 + slope.square()).sqrt().min(greatest_tilt);
+    for (Eigen::Index row = 0; row < tilt.size(); ++row) {
+      const Eigen::Index v = sheet.vertices[static_cast<std::size_t>(row)];
+      sheets.thickness[v] = factored_thickness(basis, v, settings.thickness_of(object) * tilt[row]);
     }
-    const Eigen::VectorXd slope = evened(sheet, sheet.slopes(middle));
-    for (Eigen::Index row = 0; row < sheet.size(); ++row) {
-      const auto v = static_cast<Eigen::Index>(sheet.vertices()[static_cast<std::size_t>(row)]);
-      const double tilt = std::min(std::sqrt(1 + slope[row] * slope[row]), greatest_tilt);
-      sheets.thickness[v] = factored_thickness(basis, v, settings.thickness_of(object) * tilt);
-      sheets.z[v] = draping.z[v] = middle[v];
-    }
+    sheets.z(sheet.vertices) = draping.z(sheet.vertices) = middle(sheet.vertices);
     draping.objects.push_back(object);
   }
   std::sort(draping.objects.begin(), draping.objects.end());

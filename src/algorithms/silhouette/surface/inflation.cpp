@@ -2,6 +2,7 @@
 #include "algorithms/silhouette/surface/inflation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,7 +10,6 @@
 #include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "algorithms/silhouette/surface/draping.h"
-#include "algorithms/silhouette/surface/swept_limbs.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -27,10 +27,33 @@ constexpr double negligible = 1e-9;
 /// u: ten steps of the grid that a file may round to.
 constexpr double coincidence = 0.1;
 
-Eigen::VectorXd node_depths(const Skeleton& skeleton) {
-  Eigen::VectorXd depths(static_cast<Eigen::Index>(skeleton.nodes.size()));
-  for (Eigen::Index n = 0; n < depths.size(); ++n) depths[n] = skeleton.nodes[static_cast<std::size_t>(n)].z;
-  return depths;
+constexpr double max_tilt = 2;     // a limb that points at the viewer would otherwise become a spike
+constexpr int balls_per_edge = 4;  // nodes are a third of a radius apart
+
+/// What the balls over one place reach.
+struct Heights {
+  double top;
+  double bottom;
+  double level;  ///< top of the same balls, all at height 0
+};
+
+/// Adds the balls along an edge. @return whether the last one still covers the place
+bool add_edge(const SkeletonNode& a, const SkeletonNode& b, const std::array<double, 2>& z, const Vec2& place,
+              Heights& heights) {
+  bool covered = false;
+  for (int i = 1; i <= balls_per_edge; ++i) {
+    const double part = static_cast<double>(i) / balls_per_edge;
+    const double radius = (1 - part) * a.radius + part * b.radius;
+    const double square = radius * radius - ((1 - part) * a.position + part * b.position - place).squaredNorm();
+    covered = square > 0;
+    if (!covered) continue;
+    const double height = std::sqrt(square);
+    const double middle = (1 - part) * z[0] + part * z[1];
+    heights.top = std::max(heights.top, middle + height);
+    heights.bottom = std::min(heights.bottom, middle - height);
+    heights.level = std::max(heights.level, height);
+  }
+  return covered;
 }
 
 /// Half of the edges at each node; a lone node stands for its radius.
@@ -45,16 +68,6 @@ Eigen::VectorXd node_lengths(const Skeleton& skeleton) {
     if (lengths[n] <= 0) lengths[n] = skeleton.nodes[static_cast<std::size_t>(n)].radius;
   }
   return lengths;
-}
-
-Eigen::VectorXd vertex_stiffness(const Skeleton& skeleton, const std::vector<Index>& objects,
-                                 const DepthSettings& settings) {
-  const std::vector<double> by_object = settings.equally_stiff ? std::vector<double>{} : row_stiffness(skeleton);
-  Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(objects.size()));
-  for (std::size_t v = 0; v < objects.size(); ++v) {
-    if (objects[v] < by_object.size()) stiffness[static_cast<Eigen::Index>(v)] = by_object[objects[v]];
-  }
-  return stiffness;
 }
 
 /// The surface between nodes may be thicker than the balls at them, and reach beyond the last one: how much farther
@@ -81,21 +94,24 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
                                 const DepthSettings& settings) {
   MidSurfaceData data;
   data.nodes = basis.nodes;
-  data.node_z = node_depths(skeleton);
+  data.node_z.resize(static_cast<Eigen::Index>(skeleton.nodes.size()));
+  for (Index n = 0; n < skeleton.nodes.size(); ++n) data.node_z[n] = skeleton.nodes[n].z;
   data.node_length = node_lengths(skeleton);
   data.scale = skeleton.scale;
   data.gap = (1 + spare_gap) * settings.options.minimum_gap * skeleton.scale;
-  data.stiffness = vertex_stiffness(skeleton, objects, settings);
+  data.stiffness = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(objects.size()));
+  const std::vector<double> by_object = settings.equally_stiff ? std::vector<double>{} : row_stiffness(skeleton);
+  for (std::size_t v = 0; v < objects.size(); ++v) {
+    if (objects[v] < by_object.size()) data.stiffness[static_cast<Eigen::Index>(v)] = by_object[objects[v]];
+  }
   // Thin parts press on rims: a wide one keeps its shape over its own radius rather than over L.
   data.bending = data.stiffness.cwiseMax(1);
-  const bool joined = !settings.attachments.empty();
-  data.pairs =
-      joined ? stacked_pairs(basis.sampling, basis.objects, settings.attachments) : stacked_pairs(basis.sampling);
+  data.pairs = stacked_pairs(basis.sampling, basis.objects, settings.attachments);
   for (StackedPair& pair : data.pairs) {
     pair.resting = settings.attachments.resting(objects[pair.upper], objects[pair.lower]);
   }
   data.resting_gap = (1 + spare_gap) * std::min(data.gap, resting_gap(skeleton.scale, basis.unit));
-  if (joined) data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
+  if (!settings.attachments.empty()) data.front_margin = front_margin * std::max(skeleton.scale, basis.unit);
   return data;
 }
 
@@ -104,17 +120,15 @@ MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basi
 /// Fronts stay. A later pass can only meet what an earlier one moved, once per sheet of a stack.
 void clear_coincidences(double distance, InflatedSheets& sheets) {
   constexpr int max_passes = 10;
-  const auto front = [&](Index v) { return sheets.z[v] + sheets.thickness[v]; };
-  const auto back = [&](Index v) { return sheets.z[v] - sheets.thickness[v]; };
   bool moved = true;
   for (int pass = 0; moved && pass < max_passes; ++pass) {
     moved = false;
     for (const StackedPair& pair : sheets.pairs) {
       if (!pair.attached() || sheets.sampling.lifted.on_boundary[pair.upper]) continue;
-      for (const double height : {front(pair.lower), back(pair.lower)}) {
+      for (const double height : {sheets.front(pair.lower), sheets.back(pair.lower)}) {
         // Half of it again, so that what was cleared counts as clear.
-        const double deeper = back(pair.upper) - height + 1.5 * distance;
-        if (std::abs(back(pair.upper) - height) >= distance) continue;
+        const double deeper = sheets.back(pair.upper) - height + 1.5 * distance;
+        if (std::abs(sheets.back(pair.upper) - height) >= distance) continue;
         sheets.z[pair.upper] -= deeper / 2;
         sheets.thickness[pair.upper] += deeper / 2;
         moved = true;
@@ -131,7 +145,7 @@ void make_hollows(double gap, InflatedSheets& sheets) {
     if (!pair.resting || sheets.sampling.lifted.on_boundary[pair.lower]) continue;
     double& z = sheets.z[pair.lower];
     double& thickness = sheets.thickness[pair.lower];
-    const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
+    const double back = sheets.back(pair.upper);
     const double deepest = std::min(back - gap, z + (1 - 2 * deepest_hollow) * thickness);
     const double ground = std::max(back - 2 * gap - room * sheets.thickness[pair.upper], deepest);
     const double sunk = std::max(z + thickness - ground, 0.0);
@@ -157,7 +171,7 @@ class SheetRaiser {
       : skeleton_(skeleton),
         basis_(basis),
         settings_(settings),
-        objects_(objects_of_vertices(basis)),
+        objects_(basis.vertex_objects),
         data_(mid_surface_data(skeleton, basis, objects_, settings)) {
     sheets_.sampling = basis.sampling;
     sheets_.pairs = data_.pairs;
@@ -234,7 +248,7 @@ class SheetRaiser {
   const Skeleton& skeleton_;
   const SheetBasis& basis_;
   const DepthSettings& settings_;
-  std::vector<Index> objects_;  ///< per lifted vertex
+  const std::vector<Index>& objects_;  ///< per lifted vertex
   MidSurfaceData data_;
   Eigen::VectorXd tilt_;  ///< per node, that the sheets were raised with
   std::optional<MidSurface> mid_surface_;
@@ -242,6 +256,33 @@ class SheetRaiser {
 };
 
 }  // namespace
+
+SweptLimbs swept_limbs(const Skeleton& skeleton, const Eigen::VectorXd& node_z) {
+  const std::vector<std::vector<Index>> neighbours = skeleton.neighbours();
+  std::vector<Index> last_seen(skeleton.nodes.size(), no_index);  // per node, the node whose walk met it last
+  std::vector<Index> queue;
+  SweptLimbs limbs{Eigen::VectorXd(node_z.size()), Eigen::VectorXd(node_z.size())};
+  for (Index n = 0; n < skeleton.nodes.size(); ++n) {
+    const SkeletonNode& centre = skeleton.nodes[n];
+    Heights heights{node_z[n] + centre.radius, node_z[n] - centre.radius, centre.radius};
+    queue.assign(1, n);
+    last_seen[n] = n;
+    // Only balls that the skeleton leads to count: others above the same place belong to other sheets.
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const Index from = queue[head];
+      for (const Index to : neighbours[from]) {
+        const bool covered =
+            add_edge(skeleton.nodes[from], skeleton.nodes[to], {node_z[from], node_z[to]}, centre.position, heights);
+        if (!covered || last_seen[to] == n) continue;
+        last_seen[to] = n;
+        queue.push_back(to);
+      }
+    }
+    limbs.tilt[n] = std::clamp((heights.top - heights.bottom) / (2 * heights.level), 1.0, max_tilt);
+    limbs.lift[n] = (heights.top + heights.bottom) / 2 - node_z[n];
+  }
+  return limbs;
+}
 
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress) {

@@ -32,10 +32,24 @@ struct InflatedSheets {
   int iterations = 0;      ///< of the mid-surface's solver, the larger of both solves
   double residual = 0;
   std::vector<double> uncertainty;  ///< per object, L, of all solves: how far a height may still be from the optimum's
+
+  double front(Index v) const { return z[v] + thickness[v]; }
+  double back(Index v) const { return z[v] - thickness[v]; }
 };
 
+/// What a ball sweeps that runs along the skeleton with the radius of its nodes, seen over each node.
+struct SweptLimbs {
+  /// Per node its height in parts of what it would be if the skeleton were level, 1..2. Straight: sqrt(1 + slope^2).
+  Eigen::VectorXd tilt;
+  /// Per node how far its middle lies above the node: not 0 on the slopes of a bend.
+  Eigen::VectorXd lift;
+};
+
+/// @param node_z per node
+SweptLimbs swept_limbs(const Skeleton& skeleton, const Eigen::VectorXd& node_z);
+
 /// From a skeleton with depths to sheets with thickness. The thickness is meant along the surface's normal: where the
-/// skeleton is inclined, the vertical thickness grows, see SweptLimbs.
+/// skeleton is inclined, the vertical thickness grows, see swept_limbs.
 /// @throws Error (E_INTERNAL) when the figure contradicts itself, Cancelled
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress);

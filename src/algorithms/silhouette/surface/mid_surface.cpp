@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
-
-#include "croquis/solver/least_squares_solver.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -20,23 +19,15 @@ constexpr double bending = 0.02;
 /// Added to the gap, in L: what rounding and the solver's tolerance may take away again.
 constexpr double gap_margin = 1e-5;
 
-/// Scales a row of the stiffness matrix to the root of the bending energy at its vertex.
-double row_scale(const SheetOperator& op, double scale, Eigen::Index v) {
-  return std::sqrt(bending / op.area[v]) * scale;
-}
-
-double stiffness_at(const MidSurfaceData& data, Eigen::Index v) {
-  return data.stiffness.size() > 0 ? data.stiffness[v] : 1;
-}
-
-double bending_at(const MidSurfaceData& data, Eigen::Index v) {
-  return data.bending.size() > 0 ? data.bending[v] * stiffness_at(data, v) : 1;
+MidSurfaceData with_stiffness(MidSurfaceData data, Eigen::Index count) {
+  if (data.stiffness.size() == 0) data.stiffness = data.bending = Eigen::VectorXd::Ones(count);
+  return data;
 }
 
 /// Of a node's row: the root of the length that it stands for, times its sheet's stiffness.
 double pull_of(const MidSurfaceData& data, Eigen::Index n) {
   const LiftedPlace& place = data.nodes[static_cast<std::size_t>(n)];
-  return std::sqrt(data.node_length[n] / data.scale) * stiffness_at(data, place.vertices[0]);
+  return std::sqrt(data.node_length[n] / data.scale) * data.stiffness[place.vertices[0]];
 }
 
 LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& data) {
@@ -45,8 +36,10 @@ LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& 
   rows.reserve(static_cast<std::size_t>(op.stiffness.nonZeros()) + 3 * data.nodes.size());
   for (Eigen::Index v = 0; v < count; ++v) {
     for (Matrix::InnerIterator entry(op.stiffness, v); entry; ++entry) {
-      const double factor = row_scale(op, data.scale, entry.row()) * bending_at(data, entry.row());
-      rows.emplace_back(entry.row(), v, factor * entry.value());
+      // The root of the bending energy at the row's vertex.
+      const double scale = std::sqrt(bending / op.area[entry.row()]) * data.scale;
+      rows.emplace_back(entry.row(), v,
+                        scale * (data.bending[entry.row()] * data.stiffness[entry.row()]) * entry.value());
     }
   }
   const auto node_count = static_cast<Eigen::Index>(data.nodes.size());
@@ -73,57 +66,32 @@ LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& 
   return problem;
 }
 
-/// Pairs of vertices of triangles above one another, each once.
-class PairCollector {
- public:
-  explicit PairCollector(const LiftedTriangulation& lifted)
-      : lifted_(lifted), last_(lifted.planar_vertex.size(), no_index) {}
-
-  void add(Index upper, Index lower, double kappa) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const StackedPair pair{lifted_.triangles[upper][corner], lifted_.triangles[lower][corner], kappa, false};
-      // Most triangles around a vertex repeat its pair.
-      if (std::exchange(last_[pair.upper], pair.lower) != pair.lower) pairs_.push_back(pair);
-    }
-  }
-
-  std::vector<StackedPair> take() {
-    std::sort(pairs_.begin(), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-    return std::move(pairs_);
-  }
-
- private:
-  const LiftedTriangulation& lifted_;
-  std::vector<Index> last_;  ///< per vertex the last one that was found below it
-  std::vector<StackedPair> pairs_;
-};
-
 }  // namespace
 
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
                                        const Attachments& attachments) {
-  PairCollector pairs(sheets.lifted);
   const LiftedTriangulation& lifted = sheets.lifted;
+  const bool joined = !attachments.empty();
+  std::vector<StackedPair> pairs;
+  std::vector<Index> last(lifted.planar_vertex.size(), no_index);  // per vertex the last one that was found below it
   for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
-    for (Index upper = lifted.first_copy[t]; upper < lifted.first_copy[t + 1]; ++upper) {
-      for (Index lower = upper + 1; lower < lifted.first_copy[t + 1]; ++lower) {
-        pairs.add(upper, lower, attachments.kappa(objects[upper], objects[lower]).value_or(StackedPair::apart));
+    const Index end = lifted.first_copy[t + 1];
+    for (Index upper = lifted.first_copy[t]; upper < end; ++upper) {
+      for (Index lower = upper + 1; lower < (joined ? end : std::min(end, upper + 2)); ++lower) {
+        const std::optional<double> kappa =
+            joined ? attachments.kappa(objects[upper], objects[lower]) : std::optional<double>{};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          const StackedPair pair{lifted.triangles[upper][corner], lifted.triangles[lower][corner],
+                                 kappa.value_or(StackedPair::apart), false};
+          // Most triangles around a vertex repeat its pair.
+          if (std::exchange(last[pair.upper], pair.lower) != pair.lower) pairs.push_back(pair);
+        }
       }
     }
   }
-  return pairs.take();
-}
-
-std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets) {
-  PairCollector pairs(sheets.lifted);
-  const LiftedTriangulation& lifted = sheets.lifted;
-  for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {
-    for (Index m = lifted.first_copy[t]; m + 1 < lifted.first_copy[t + 1]; ++m) {
-      pairs.add(m, m + 1, StackedPair::apart);
-    }
-  }
-  return pairs.take();
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 double least_distance(const MidSurfaceData& data, const StackedPair& pair, const Eigen::VectorXd& thickness) {
@@ -137,57 +105,37 @@ double least_distance(const MidSurfaceData& data, const StackedPair& pair, const
   return std::max(attached_distance(pair.kappa, upper, lower), lower - upper + data.front_margin);
 }
 
-struct MidSurface::State {
-  const SheetOperator& op;
-  MidSurfaceData data;
-  LeastSquaresSolver solver;
-  Eigen::VectorXd shape;  ///< unknowns are heights over it
-
-  State(const SheetOperator& sheet_operator, MidSurfaceData d)
-      : op(sheet_operator),
-        data(std::move(d)),
-        solver(make_problem(op, data)),
-        shape(Eigen::VectorXd::Zero(op.stiffness.cols())) {
-    solver.set_target(target());
-  }
-
-  Eigen::VectorXd target() const {
-    const Eigen::Index count = op.stiffness.cols();
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + data.node_z.size());
-    for (Eigen::Index n = 0; n < data.node_z.size(); ++n) {
-      result[count + n] = pull_of(data, n) * data.node_z[n];
-    }
-    return result;
-  }
-
-  Eigen::VectorXd bounds(const Eigen::VectorXd& thickness) const {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(data.pairs.size()));
-    Eigen::Index row = 0;
-    for (const StackedPair& pair : data.pairs) {
-      result[row++] = least_distance(data, pair, thickness) - (shape[pair.upper] - shape[pair.lower]);
-    }
-    return result;
-  }
-};
-
 MidSurface::MidSurface(const SheetOperator& op, MidSurfaceData data)
-    : state_(std::make_unique<State>(op, std::move(data))) {}
-
-MidSurface::~MidSurface() = default;
-
-void MidSurface::move_nodes(const Eigen::VectorXd& node_z) {
-  state_->data.node_z = node_z;
-  state_->solver.set_target(state_->target());
+    : op_(op),
+      data_(with_stiffness(std::move(data), op.stiffness.cols())),
+      solver_(make_problem(op_, data_)),
+      shape_(Eigen::VectorXd::Zero(op_.stiffness.cols())) {
+  solver_.set_target(target());
 }
 
-void MidSurface::set_shape(const Eigen::VectorXd& shape) { state_->shape = shape; }
+Eigen::VectorXd MidSurface::target() const {
+  const Eigen::Index count = op_.stiffness.cols();
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(count + data_.node_z.size());
+  for (Eigen::Index n = 0; n < data_.node_z.size(); ++n) result[count + n] = pull_of(data_, n) * data_.node_z[n];
+  return result;
+}
+
+void MidSurface::move_nodes(const Eigen::VectorXd& node_z) {
+  data_.node_z = node_z;
+  solver_.set_target(target());
+}
 
 MidSurfaceResult MidSurface::solve(const Eigen::VectorXd& thickness, Progress& progress) {
-  state_->solver.set_inequality_bounds(state_->bounds(thickness));
-  const LeastSquaresSolution solution = state_->solver.solve(progress);
+  Eigen::VectorXd bounds(static_cast<Eigen::Index>(data_.pairs.size()));
+  Eigen::Index row = 0;
+  for (const StackedPair& pair : data_.pairs) {
+    bounds[row++] = least_distance(data_, pair, thickness) - (shape_[pair.upper] - shape_[pair.lower]);
+  }
+  solver_.set_inequality_bounds(std::move(bounds));
+  const LeastSquaresSolution solution = solver_.solve(progress);
   const bool found = solution.converged && !solution.singular_objective;
-  const Eigen::VectorXd open = solution.remaining_step.cwiseAbs() / state_->data.scale;
-  return {solution.x + state_->shape, solution.iterations, std::max(solution.primal_residual, solution.dual_residual),
+  const Eigen::VectorXd open = solution.remaining_step.cwiseAbs() / data_.scale;
+  return {solution.x + shape_, solution.iterations, std::max(solution.primal_residual, solution.dual_residual),
           found ? open : Eigen::VectorXd::Constant(solution.x.size(), std::numeric_limits<double>::infinity())};
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,6 +8,7 @@
 #include "algorithms/silhouette/skeleton/attachments.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
 #include "croquis/base/progress.h"
+#include "croquis/solver/least_squares_solver.h"
 
 namespace croquis::silhouette {
 
@@ -30,13 +29,11 @@ struct StackedPair {
 };
 
 /// Every pair of sheets in front of each other with nothing between them, at every point of the sampling; ascending.
+/// Where objects are attached a sheet may reach past its neighbour, so that all pairs of a stack count.
+/// @param objects per lifted triangle; not needed without attachments
 /// O(M log M).
-std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets);
-
-/// The same where objects are attached: then a sheet may reach past its neighbour, so that all pairs of a stack count.
-/// @param objects per lifted triangle
-std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
-                                       const Attachments& attachments);
+std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects = {},
+                                       const Attachments& attachments = {});
 
 /// What the middle of the sheets is pulled to, and what keeps them apart.
 struct MidSurfaceData {
@@ -48,7 +45,7 @@ struct MidSurfaceData {
   double gap = 0;             ///< least distance of sheets, along z
   double resting_gap = 0;     ///< of one that rests on the other
   double front_margin = 0;    ///< how far the front of an attached object lies before that of the one below
-  Eigen::VectorXd stiffness;  ///< per lifted vertex, how hard it is to move: factor of its rows; empty: 1
+  Eigen::VectorXd stiffness;  ///< per lifted vertex, how hard it is to move: factor of its rows; empty: all are alike
   Eigen::VectorXd bending;    ///< and, besides, of its bending
 };
 
@@ -60,8 +57,8 @@ struct MidSurfaceResult {
   Eigen::VectorXd z;  ///< per lifted vertex
   int iterations = 0;
   double residual = 0;
-  Eigen::VectorXd
-      uncertainty;  ///< per vertex, L: how far it may still be from the optimum's; infinity where it gave up
+  /// Per vertex, L: how far it may still be from the optimum's; infinity where it gave up.
+  Eigen::VectorXd uncertainty;
 };
 
 /// The surface half way between front and back: as smooth as the skeleton's depths allow, level across every rim, and
@@ -77,7 +74,6 @@ struct MidSurfaceResult {
 class MidSurface {
  public:
   MidSurface(const SheetOperator& op, MidSurfaceData data);
-  ~MidSurface();
 
   /// Gives the nodes other depths, one per node.
   void move_nodes(const Eigen::VectorXd& node_z);
@@ -85,15 +81,19 @@ class MidSurface {
   /// From then on heights are bent, and nodes pull, against that shape: it is what sheets look like that nothing
   /// presses on.
   /// @param shape per lifted vertex
-  void set_shape(const Eigen::VectorXd& shape);
+  void set_shape(const Eigen::VectorXd& shape) { shape_ = shape; }
 
   /// @param thickness per lifted vertex, h; a second call reuses the first one's factorisation
   /// @throws Cancelled
   MidSurfaceResult solve(const Eigen::VectorXd& thickness, Progress& progress);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Eigen::VectorXd target() const;
+
+  const SheetOperator& op_;
+  MidSurfaceData data_;
+  LeastSquaresSolver solver_;
+  Eigen::VectorXd shape_;  ///< unknowns are heights over it
 };
 
 }  // namespace croquis::silhouette

@@ -2,10 +2,12 @@
 #include "algorithms/silhouette/surface/sheet_basis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "algorithms/silhouette/sampling/rim_distance.h"
+#include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/stage.h"
-#include "algorithms/silhouette/surface/rim_chord.h"
 #include "algorithms/silhouette/surface/sheet_surface.h"
 
 namespace croquis::silhouette {
@@ -13,6 +15,24 @@ namespace {
 
 /// A vertex' rows in the operator, the factorisation and the vectors: seven neighbours, five times that of fill.
 constexpr std::size_t bytes_per_vertex = 1000;
+
+/// Nearer to the rim, in parts of the first row's depth, the chord would be too thin for rounded numbers.
+constexpr double least_part_of_row = 0.05;
+
+/// Lays places between the rim and its first row of points onto the chord between the two.
+///
+/// Contours of other sheets bring points of any depth there. On the round section they would stand out beside the rim's
+/// other triangles, which span from the rim to the row.
+/// @param thickness per lifted vertex, upright: without tilt
+void flatten_to_rim_chords(const SheetSampling& sheets, Eigen::VectorXd& thickness) {
+  const RimDistances rim = rim_distances(sheets, greatest_first_row());
+  for (Index v = 0; v < rim.nearest.size(); ++v) {
+    if (rim.nearest[v] == no_index || rim.distance[v] <= 0) continue;
+    // Near the rim the section rises like the root of the depth, the chord in proportion to it.
+    const double row = rim.edges[rim.nearest[v]].first_row;
+    thickness[v] *= std::sqrt(std::clamp(rim.distance[v] / row, least_part_of_row, 1.0));
+  }
+}
 
 }  // namespace
 
@@ -28,16 +48,12 @@ SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skelet
   Eigen::VectorXd upright = sheet_thickness(sheets, op, skeleton, nodes, extension, thickening);
   flatten_to_rim_chords(sheets, upright);
   std::vector<Index> objects = objects_of_triangles(figure, sheets);
-  return {std::move(sheets),  std::move(nodes),   std::move(op), std::move(extension),
-          std::move(upright), std::move(objects), figure.unit};
-}
-
-std::vector<Index> objects_of_vertices(const SheetBasis& basis) {
-  std::vector<Index> objects(basis.sampling.lifted.planar_vertex.size(), 0);
-  for (std::size_t m = 0; m < basis.objects.size(); ++m) {
-    for (const Index v : basis.sampling.lifted.triangles[m]) objects[v] = basis.objects[m];
+  std::vector<Index> vertex_objects(op.position.size(), 0);
+  for (std::size_t m = 0; m < objects.size(); ++m) {
+    for (const Index v : sheets.lifted.triangles[m]) vertex_objects[v] = objects[m];
   }
-  return objects;
+  return {std::move(sheets),  std::move(nodes),          std::move(op), std::move(extension), std::move(upright),
+          std::move(objects), std::move(vertex_objects), figure.unit};
 }
 
 double factored_thickness(const SheetBasis& basis, Eigen::Index vertex, double factor) {

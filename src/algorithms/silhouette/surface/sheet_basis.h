@@ -22,9 +22,10 @@ struct SheetBasis {
   std::vector<LiftedPlace> nodes;  ///< where the skeleton's nodes lie
   SheetOperator op;
   NodeExtension extension;
-  Eigen::VectorXd upright;     ///< per lifted vertex the thickness if the skeleton were level
-  std::vector<Index> objects;  ///< per lifted triangle
-  double unit = 1;             ///< u
+  Eigen::VectorXd upright;            ///< per lifted vertex the thickness if the skeleton were level
+  std::vector<Index> objects;         ///< per lifted triangle
+  std::vector<Index> vertex_objects;  ///< per lifted vertex
+  double unit = 1;                    ///< u
 };
 
 /// @param thin objects that are thinner than wide, see row_radii
@@ -37,9 +38,6 @@ constexpr double least_half_thickness = 0.03;
 
 /// Half thickness at a vertex of a part whose depth is multiplied by a factor.
 double factored_thickness(const SheetBasis& basis, Eigen::Index vertex, double factor);
-
-/// The object of every lifted vertex.
-std::vector<Index> objects_of_vertices(const SheetBasis& basis);
 
 std::size_t bytes_of(const SheetBasis& basis);
 

@@ -62,11 +62,6 @@ Eigen::SparseMatrix<double> stiffness_of(const LiftedTriangulation& lifted,
 
 }  // namespace
 
-SheetOperator make_sheet_operator(const SheetSampling& sheets) {
-  return make_sheet_operator(sheets,
-                             Eigen::VectorXd::Ones(static_cast<Eigen::Index>(sheets.lifted.planar_vertex.size())));
-}
-
 SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::VectorXd& weight) {
   const LiftedTriangulation& lifted = sheets.lifted;
   SheetOperator op;
@@ -78,7 +73,7 @@ SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::Vect
   weights.reserve(lifted.triangles.size());
   for (const auto& corners : lifted.triangles) {
     const auto& [a, b, c] = corners;
-    const double mean = (weight[a] + weight[b] + weight[c]) / 3;
+    const double mean = weight.size() > 0 ? (weight[a] + weight[b] + weight[c]) / 3 : 1;
     const double twice_area = area_with_height(op.position[a], op.position[b], op.position[c]);
     weights.push_back(half_cotangents(corners, op.position, twice_area));
     for (double& own : weights.back()) own *= mean;

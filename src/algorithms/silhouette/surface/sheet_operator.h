@@ -19,10 +19,7 @@ struct SheetOperator {
   std::vector<Vec2> position;             ///< #V
 };
 
-/// With w = 1.
-SheetOperator make_sheet_operator(const SheetSampling& sheets);
-
-/// @param weight per lifted vertex the weight w > 0, linear in between
-SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::VectorXd& weight);
+/// @param weight per lifted vertex the weight w > 0, linear in between; empty: 1
+SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::VectorXd& weight = {});
 
 }  // namespace croquis::silhouette

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "algorithms/silhouette/surface/rim_turn.h"
-#include "croquis/solver/symmetric_factors.h"
+#include <utility>
 
 namespace croquis::silhouette {
 namespace {
@@ -40,168 +38,84 @@ constexpr double smaller = 0.95;  // of the radius: along a tube each node speak
 constexpr double least_beta = 0.6;
 constexpr double greatest_beta = 1.2;
 
-/// Solves systems of one region's inner vertices: what vanishes on the boundary. All weights have the same pattern, so
-/// that the order of elimination is found once.
-class InnerSolver {
- public:
-  explicit InnerSolver(const SheetOperator& op) : row_of_(op.on_boundary.size(), -1) {
-    for (std::size_t v = 0; v < row_of_.size(); ++v) {
-      if (op.on_boundary[v]) continue;
-      row_of_[v] = static_cast<int>(vertex_.size());
-      vertex_.push_back(static_cast<Eigen::Index>(v));
-    }
-    matrix_.resize(static_cast<Eigen::Index>(vertex_.size()), static_cast<Eigen::Index>(vertex_.size()));
-    fill(op.stiffness);
-    factorisation_.compute(matrix_);
-  }
+// Of the radius: how far a mean of the rim's turning reaches to either side; weights fall off linearly.
+constexpr double turn_reach = 0.8;
 
-  /// From then on for another weight of the same region.
-  void set_operator(const SheetOperator& op) {
-    fill(op.stiffness);
-    factorisation_.factorize(matrix_);
-  }
-
-  /// Inner vertices, ascending.
-  const std::vector<Eigen::Index>& vertices() const { return vertex_; }
-
-  /// The solution of the load that vanishes on the boundary.
-  Eigen::VectorXd solve(const Eigen::VectorXd& load) const {
-    const Eigen::VectorXd right = load(vertex_);
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(load.size());
-    values(vertex_) = factorisation_.solve(right).eval();
-    return values;
-  }
-
- private:
-  /// The lower triangle.
-  void fill(const Matrix& stiffness) {
-    matrix_.setZero();
-    matrix_.reserve(stiffness.nonZeros() / 2 + matrix_.cols());
-    for (Eigen::Index column = 0; column < matrix_.cols(); ++column) {
-      matrix_.startVec(column);
-      for (Matrix::InnerIterator near(stiffness, vertex_[static_cast<std::size_t>(column)]); near; ++near) {
-        const int row = row_of_[static_cast<std::size_t>(near.row())];
-        if (row >= column) matrix_.insertBack(row, column) = near.value();
-      }
-    }
-    matrix_.finalize();
-  }
-
-  std::vector<int> row_of_;           ///< per vertex; -1 on the boundary
-  std::vector<Eigen::Index> vertex_;  ///< per row
-  Matrix matrix_;
-  SymmetricFactors factorisation_;
+/// The boundary's loops, and what they do at each vertex.
+struct RimLoops {
+  std::vector<Index> next, previous;  ///< per lifted vertex; no_index inside
+  std::vector<double> radius;
+  std::vector<double> turn;    ///< angle, positive to the left: around the surface
+  std::vector<double> length;  ///< half of the two edges there
 };
+
+RimLoops rim_loops(const SheetSampling& sheets) {
+  const LiftedTriangulation& lifted = sheets.lifted;
+  const std::size_t count = lifted.planar_vertex.size();
+  RimLoops loops{std::vector<Index>(count, no_index), std::vector<Index>(count, no_index),
+                 std::vector<double>(count, 0.0), std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
+  for (Index t = 0; t < lifted.triangles.size(); ++t) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (lifted.neighbours[t][corner] != no_index) continue;
+      const Index begin = lifted.triangles[t][(corner + 1) % 3];
+      const Index end = lifted.triangles[t][(corner + 2) % 3];
+      loops.next[begin] = end;
+      loops.previous[end] = begin;
+      loops.radius[begin] = sheets.pieces[sheets.planar.constraints[lifted.planar_triangle[t]][corner]].radius;
+    }
+  }
+  const auto place = [&](Index v) { return sheets.points[lifted.planar_vertex[v]]; };
+  for (Index v = 0; v < count; ++v) {
+    if (loops.next[v] == no_index) continue;
+    const Vec2 before = place(v) - place(loops.previous[v]);
+    const Vec2 after = place(loops.next[v]) - place(v);
+    loops.turn[v] = std::atan2(cross(before, after), before.dot(after));
+    loops.length[v] = (before.norm() + after.norm()) / 2;
+  }
+  return loops;
+}
+
+/// Turning per length around a vertex.
+double mean_curvature(const SheetSampling& sheets, const RimLoops& loops, Index vertex) {
+  const auto place = [&](Index v) { return sheets.points[sheets.lifted.planar_vertex[v]]; };
+  const double far = turn_reach * loops.radius[vertex];
+  double turn = loops.turn[vertex];
+  double length = loops.length[vertex];
+  for (const std::vector<Index>* onward : {&loops.next, &loops.previous}) {
+    double distance = 0;
+    for (Index v = vertex;;) {
+      const Index other = (*onward)[v];
+      distance += (place(other) - place(v)).norm();
+      if (distance >= far || other == vertex) break;
+      turn += (1 - distance / far) * loops.turn[other];
+      length += (1 - distance / far) * loops.length[other];
+      v = other;
+    }
+  }
+  return turn / length;
+}
 
 /// The values of ln w on the rim: the length of the axis per length of the rim.
 Eigen::VectorXd rim_log_weights(const SheetSampling& sheets) {
   return (1 - rim_turn(sheets).array().cwiseMax(-greatest_turn).cwiseMin(greatest_turn)).log();
 }
 
-/// Extends values on the boundary, 0 inside.
-Eigen::VectorXd harmonic(const SheetOperator& op, const InnerSolver& inner, const Eigen::VectorXd& boundary) {
-  return boundary + inner.solve(-(op.stiffness * boundary));
+/// One column for every vertex inside, ascending: systems of what vanishes on the boundary are solved for these alone.
+Matrix inner_vertices(const SheetOperator& op) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index v = 0; v < op.on_boundary.size(); ++v) {
+    if (!op.on_boundary[v]) entries.emplace_back(v, static_cast<Eigen::Index>(entries.size()), 1.0);
+  }
+  Matrix inner(op.stiffness.rows(), static_cast<Eigen::Index>(entries.size()));
+  inner.setFromTriplets(entries.begin(), entries.end());
+  return inner;
 }
 
-/// A node's share of a vertex.
-struct NodeShare {
-  Index vertex = 0;
-  Index node = 0;
-  double weight = 0;
-};
-
-/// Spreads nodes over the vertices around them, in their own sheet.
-class NodeSpreader {
- public:
-  explicit NodeSpreader(const SheetOperator& op) : op_(op), last_seen_(op.position.size(), no_index) {}
-
-  /// The weights of a node sum to 1; they fall off smoothly towards the distance.
-  void spread(Index node, const LiftedPlace& place, double distance, std::vector<NodeShare>& shares) {
-    Vec2 centre = Vec2::Zero();
-    for (std::size_t i = 0; i < 3; ++i) centre += place.weights[i] * op_.position[place.vertices[i]];
-    const std::size_t first = shares.size();
-    queue_.assign(place.vertices.begin(), place.vertices.end());
-    for (const Index v : queue_) last_seen_[v] = node;
-    double sum = 0;
-    for (std::size_t head = 0; head < queue_.size(); ++head) {
-      const Index v = queue_[head];
-      const double nearness = 1 - (op_.position[v] - centre).squaredNorm() / (distance * distance);
-      if (nearness <= 0) continue;
-      shares.push_back({v, node, op_.area[v] * nearness * nearness});
-      sum += shares.back().weight;
-      for (Matrix::InnerIterator near(op_.stiffness, v); near; ++near) {
-        const auto other = static_cast<Index>(near.row());
-        if (last_seen_[other] != node) queue_.push_back(other);
-        last_seen_[other] = node;
-      }
-    }
-    for (std::size_t s = first; s < shares.size(); ++s) shares[s].weight /= sum;
-    if (sum > 0) return;
-    for (std::size_t i = 0; i < 3; ++i) shares.push_back({place.vertices[i], node, place.weights[i]});
-  }
-
- private:
-  const SheetOperator& op_;
-  std::vector<Index> last_seen_;  ///< per vertex, the node that met it last
-  std::vector<Index> queue_;
-};
-
-}  // namespace
-
-struct NodeExtension::Factors {
-  SymmetricFactors factorisation;
-  std::vector<NodeShare> shares;
-  Eigen::VectorXd background;
-};
-
-NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Skeleton& skeleton)
-    : factors_(std::make_unique<Factors>()) {
-  NodeSpreader spreader(op);
-  const std::vector<std::uint8_t> speaks = speaking_nodes(skeleton);
-  for (Index n = 0; n < nodes.size(); ++n) {
-    if (speaks[n] != 0) spreader.spread(n, nodes[n], node_reach * skeleton.nodes[n].radius, factors_->shares);
-  }
-  factors_->background = background_stiffness / op.area.sum() * op.area;
-  Matrix matrix = op.stiffness;
-  for (Eigen::Index v = 0; v < matrix.cols(); ++v) matrix.coeffRef(v, v) += factors_->background[v];
-  for (const NodeShare& share : factors_->shares) {
-    matrix.coeffRef(share.vertex, share.vertex) += node_stiffness * share.weight;
-  }
-  factors_->factorisation.compute(matrix);
-}
-
-NodeExtension::~NodeExtension() = default;
-NodeExtension::NodeExtension(NodeExtension&&) noexcept = default;
-
-Eigen::VectorXd NodeExtension::extend(const Eigen::VectorXd& node_values) const {
-  const double middle = node_values.size() > 0 ? node_values.mean() : 1;
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(factors_->background.size(), middle);
-  for (int pull = 0; pull < node_pulls; ++pull) {
-    // What the springs leave of each node's value is pulled once more: they flatten peaks.
-    Eigen::VectorXd missing = node_values;
-    for (const NodeShare& share : factors_->shares) missing[share.node] -= share.weight * values[share.vertex];
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(values.size());
-    for (const NodeShare& share : factors_->shares) {
-      right[share.vertex] += node_stiffness * share.weight * missing[share.node];
-    }
-    values += factors_->factorisation.solve(right);
-  }
-  return values;
-}
-
-double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += place.weights[i] * values[place.vertices[i]];
-  return sum;
-}
-
+/// Per node of the skeleton whether it tells the thickness: not where its chord is one of a larger ball along the
+/// skeleton.
 std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
   const auto count = static_cast<Index>(skeleton.nodes.size());
-  std::vector<std::vector<Index>> around(count);
-  for (const auto& [a, b] : skeleton.edges) {
-    around[a].push_back(b);
-    around[b].push_back(a);
-  }
+  const std::vector<std::vector<Index>> around = skeleton.neighbours();
   std::vector<Index> by_radius(count);
   std::iota(by_radius.begin(), by_radius.end(), 0);
   const auto radius = [&](Index n) { return skeleton.nodes[n].radius; };
@@ -230,16 +144,102 @@ std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
   return speaks;
 }
 
+/// Spreads the nodes that tell the thickness over the vertices around them, in their own sheet. The weights of a node
+/// sum to 1; they fall off smoothly towards its reach.
+std::vector<NodeShare> node_shares(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
+                                   const Skeleton& skeleton) {
+  const std::vector<std::uint8_t> speaks = speaking_nodes(skeleton);
+  std::vector<NodeShare> shares;
+  std::vector<Index> queue;
+  std::vector<Index> last_seen(op.position.size(), no_index);  // per vertex, the node that met it last
+  for (Index n = 0; n < nodes.size(); ++n) {
+    if (speaks[n] == 0) continue;
+    const double distance = node_reach * skeleton.nodes[n].radius;
+    const LiftedPlace& place = nodes[n];
+    Vec2 centre = Vec2::Zero();
+    for (std::size_t i = 0; i < 3; ++i) centre += place.weights[i] * op.position[place.vertices[i]];
+    const std::size_t first = shares.size();
+    queue.assign(place.vertices.begin(), place.vertices.end());
+    for (const Index v : queue) last_seen[v] = n;
+    double sum = 0;
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const Index v = queue[head];
+      const double nearness = 1 - (op.position[v] - centre).squaredNorm() / (distance * distance);
+      if (nearness <= 0) continue;
+      shares.push_back({v, n, op.area[v] * nearness * nearness});
+      sum += shares.back().weight;
+      for (Matrix::InnerIterator near(op.stiffness, v); near; ++near) {
+        const auto other = static_cast<Index>(near.row());
+        if (std::exchange(last_seen[other], n) != n) queue.push_back(other);
+      }
+    }
+    for (std::size_t s = first; s < shares.size(); ++s) shares[s].weight /= sum;
+    if (sum > 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) shares.push_back({place.vertices[i], n, place.weights[i]});
+  }
+  return shares;
+}
+
+}  // namespace
+
+NodeExtension::NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Skeleton& skeleton)
+    : factors_(std::make_unique<SymmetricFactors>()),
+      shares_(node_shares(op, nodes, skeleton)),
+      background_(background_stiffness / op.area.sum() * op.area) {
+  Matrix matrix = op.stiffness;
+  for (Eigen::Index v = 0; v < matrix.cols(); ++v) matrix.coeffRef(v, v) += background_[v];
+  for (const NodeShare& share : shares_) matrix.coeffRef(share.vertex, share.vertex) += node_stiffness * share.weight;
+  factors_->compute(matrix);
+}
+
+Eigen::VectorXd NodeExtension::extend(const Eigen::VectorXd& node_values) const {
+  const double middle = node_values.size() > 0 ? node_values.mean() : 1;
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(background_.size(), middle);
+  for (int pull = 0; pull < node_pulls; ++pull) {
+    // What the springs leave of each node's value is pulled once more: they flatten peaks.
+    Eigen::VectorXd missing = node_values;
+    for (const NodeShare& share : shares_) missing[share.node] -= share.weight * values[share.vertex];
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(values.size());
+    for (const NodeShare& share : shares_) {
+      right[share.vertex] += node_stiffness * share.weight * missing[share.node];
+    }
+    values += factors_->solve(right);
+  }
+  return values;
+}
+
+Eigen::VectorXd rim_turn(const SheetSampling& sheets) {
+  const RimLoops loops = rim_loops(sheets);
+  Eigen::VectorXd turns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(loops.next.size()));
+  for (Index v = 0; v < loops.next.size(); ++v) {
+    if (loops.next[v] != no_index) turns[v] = mean_curvature(sheets, loops, v) * loops.radius[v];
+  }
+  return turns;
+}
+
+double value_at(const LiftedPlace& place, const Eigen::VectorXd& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += place.weights[i] * values[place.vertices[i]];
+  return sum;
+}
+
 Eigen::VectorXd sheet_thickness(const SheetSampling& sheets, const SheetOperator& op, const Skeleton& skeleton,
                                 const std::vector<LiftedPlace>& nodes, const NodeExtension& extension,
                                 Progress& progress) {
-  InnerSolver inner(op);
-  const Eigen::VectorXd log_weight = harmonic(op, inner, rim_log_weights(sheets));
+  const Matrix inner = inner_vertices(op);
+  SymmetricFactors factors(inner.transpose() * Matrix(op.stiffness * inner));
+  const auto solve = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd {
+    return inner * factors.solve(inner.transpose() * load).eval();
+  };
+  const Eigen::VectorXd rim = rim_log_weights(sheets);
+  const Eigen::VectorXd log_weight = rim + solve(-(op.stiffness * rim));  // harmonic
   progress.check();
   const SheetOperator unbent = make_sheet_operator(sheets, log_weight.array().exp());
-  inner.set_operator(unbent);
-  Eigen::VectorXd u = inner.solve(4 * unbent.area);
-  for (const Eigen::Index v : inner.vertices()) u[v] = std::max(u[v], least_load * op.area[v]);
+  factors.factorize(inner.transpose() * Matrix(unbent.stiffness * inner));  // of the same pattern
+  Eigen::VectorXd u = solve(4 * unbent.area);
+  for (Eigen::Index v = 0; v < u.size(); ++v) {
+    if (!op.on_boundary[static_cast<std::size_t>(v)]) u[v] = std::max(u[v], least_load * op.area[v]);
+  }
   progress.check();
 
   Eigen::VectorXd beta(static_cast<Eigen::Index>(nodes.size()));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -10,34 +9,43 @@
 #include "algorithms/silhouette/skeleton/skeleton.h"
 #include "algorithms/silhouette/surface/sheet_operator.h"
 #include "croquis/base/progress.h"
+#include "croquis/solver/symmetric_factors.h"
 
 namespace croquis::silhouette {
+
+/// A node's share of a vertex.
+struct NodeShare {
+  Index vertex = 0;
+  Index node = 0;
+  double weight = 0;
+};
 
 /// Carries values from the skeleton's nodes over the whole region, nearly harmonic between them.
 ///
 /// Each node pulls like a spring, spread over the vertices around it in its sheet: a value held at a point of the plane
 /// would stand out as a spike.
-/// Nodes whose ball a larger one covers don't pull, see speaking_nodes.
-/// Keeps its factorisation.
+/// Nodes whose ball a larger one covers don't pull: where limbs or points meet in a wide body, how it is triangulated
+/// is left to chance, and so is where its chords lie.
 class NodeExtension {
  public:
   /// @param nodes where the skeleton's nodes lie
   NodeExtension(const SheetOperator& op, const std::vector<LiftedPlace>& nodes, const Skeleton& skeleton);
-  ~NodeExtension();
-  NodeExtension(NodeExtension&&) noexcept;
 
   /// @param node_values one per node
   Eigen::VectorXd extend(const Eigen::VectorXd& node_values) const;
 
  private:
-  struct Factors;
-  std::unique_ptr<Factors> factors_;
+  std::unique_ptr<SymmetricFactors> factors_;
+  std::vector<NodeShare> shares_;
+  Eigen::VectorXd background_;
 };
 
-/// Per node of the skeleton whether it tells the thickness: not where its chord is one of a larger ball along the
-/// skeleton. Where limbs or points meet in a wide body, how it is triangulated is left to chance, and so is where its
-/// chords lie.
-std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton);
+/// Per lifted vertex of the boundary the curvature of the rim times the radius of the surface there: 1 around a disk, 0
+/// along a straight tube, positive on the outer and negative on the inner side of a bend. 0 inside.
+///
+/// A mean over about a radius of the rim to either side, so that corners and the sampling's noise count as what they
+/// turn in all.
+Eigen::VectorXd rim_turn(const SheetSampling& sheets);
 
 /// Half thickness of the surface over every lifted vertex: 0 exactly on the boundary, positive inside.
 ///
