@@ -8,7 +8,7 @@
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"
-#include "algorithms/silhouette/surface/sheet_surface.h"
+#include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "silhouette/figure_fixtures.h"
@@ -115,10 +115,10 @@ TEST_CASE("each object's surface is apart from the others") {
   const test::FigureFixture fixture = test::linked_rings_figure();
   const InflatedSheets sheets = inflated(fixture.figure);
   const SheetMesh mesh = make_sheet_mesh(sheets, objects_of_triangles(fixture.figure, sheets.sampling));
-  const std::vector<ObjectSurface> surfaces = object_surfaces(fixture.figure, mesh);
+  const std::vector<Shell> surfaces = object_surfaces(fixture.figure, mesh);
   REQUIRE(surfaces.size() == 2);
-  for (const ObjectSurface& surface : surfaces) {
-    CHECK(surface.euler_region == 0);
+  for (const Shell& surface : surfaces) {
+    CHECK(surface.euler == 0);
     CHECK(validate(surface.mesh).empty());
     std::vector<std::uint8_t> used(surface.mesh.vertex_count(), 0);
     for (const Index v : surface.mesh.corners) used[v] = 1;
@@ -133,23 +133,21 @@ TEST_CASE("the certificate names what is wrong with a mesh") {
   const PolyMesh inside_out = test::flipped(sphere);
   const Index first[] = {0};
   const PolyMesh open = test::without_faces(sphere, first);
-  const CertificateInput inputs[] = {{&sphere, 1}, {&torus, 0}, {&torus, 1}, {&inside_out, 1}, {&open, 1}};
-  const std::vector<std::string> faults = certify_topology(inputs, progress);
-  REQUIRE(faults.size() == 5);
-  CHECK(faults[0].empty());
-  CHECK(faults[1].empty());
-  CHECK(faults[2].find("Euler") != std::string::npos);
-  CHECK(faults[3].find("outwards") != std::string::npos);
-  CHECK(faults[4].find("closed") != std::string::npos);
+  CHECK(topology_fault(sphere, 1, progress).empty());
+  CHECK(topology_fault(torus, 0, progress).empty());
+  CHECK(topology_fault(torus, 1, progress).find("Euler") != std::string::npos);
+  CHECK(topology_fault(inside_out, 1, progress).find("outwards") != std::string::npos);
+  CHECK(topology_fault(open, 1, progress).find("closed") != std::string::npos);
 
   const PolyMesh near = test::translated(sphere, {0.5, 0.1, 0.2});
   const PolyMesh far = test::translated(sphere, {9, 0, 0});
-  const CertificateInput meeting[] = {{&sphere, 1}, {&far, 1}, {&near, 1}};
-  std::vector<std::string> apart(3);
-  certify_apart(meeting, Rounding::None, 1, apart, progress);
-  CHECK(!apart[0].empty());
-  CHECK(apart[1].empty());
-  CHECK(!apart[2].empty());
+  const std::vector<const PolyMesh*> meshes{&sphere, &far, &near};
+  const auto meeting = meeting_faces(meshes, Rounding::None, 1, progress);
+  CHECK(!meeting.empty());
+  for (const auto& [first_face, second_face] : meeting) {
+    CHECK(first_face.mesh == 0);
+    CHECK(second_face.mesh == 2);
+  }
 }
 
 TEST_CASE("the overlap of shifted squares is exact along the scan lines") {
@@ -158,15 +156,16 @@ TEST_CASE("the overlap of shifted squares is exact along the scan lines") {
   square.add_triangle(0, 1, 2);
   square.add_triangle(0, 2, 3);
   const std::vector<Vec2> shifted{{1, 0}, {3, 0}, {3, 2}, {1, 2}};
-  const Overlap overlap = silhouette_overlap(square, {{shifted, 1}});
+  const PolyMesh* mesh = &square;
+  const Overlap overlap = silhouette_overlap({&mesh, 1}, {{shifted, 1}});
   CHECK(overlap.ratio() == Approx(1.0 / 3).epsilon(1e-3));
   CHECK(overlap.either == Approx(6).epsilon(2e-3));
   const std::vector<Vec2> backwards{{1, 2}, {3, 2}, {3, 0}, {1, 0}};
-  CHECK(silhouette_overlap(square, {{backwards, -1}}).ratio() == Approx(1.0 / 3).epsilon(1e-3));
+  CHECK(silhouette_overlap({&mesh, 1}, {{backwards, -1}}).ratio() == Approx(1.0 / 3).epsilon(1e-3));
   // A hole: the outline of a hole runs the other way round.
   const std::vector<Vec2> outer{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const std::vector<Vec2> hole{{0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}};
-  CHECK(silhouette_overlap(square, {{outer, 1}, {hole, -1}}).ratio() == Approx(0.75).epsilon(1e-3));
+  CHECK(silhouette_overlap({&mesh, 1}, {{outer, 1}, {hole, -1}}).ratio() == Approx(0.75).epsilon(1e-3));
   CHECK(silhouette_overlap({}, {}).ratio() == 1);
 }
 

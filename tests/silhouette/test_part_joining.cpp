@@ -21,8 +21,10 @@ PolyMesh ball_at(const Vec3& centre, double radius) {
 }
 
 PartJoining joined(const std::vector<PolyMesh>& meshes, const std::vector<ObjectPair>& pairs) {
-  std::vector<UnionPart> parts;
-  for (const PolyMesh& mesh : meshes) parts.push_back({&mesh, static_cast<Index>(parts.size())});
+  std::vector<Shell> shells;
+  for (const PolyMesh& mesh : meshes) shells.push_back({mesh, {static_cast<Index>(shells.size())}});
+  std::vector<const Shell*> parts;
+  for (const Shell& shell : shells) parts.push_back(&shell);
   Progress progress;
   return join_parts(parts, pairs, no_sliver, progress);
 }
@@ -43,7 +45,7 @@ TEST_CASE("parts are joined along their pairs, the largest first") {
   CHECK(result.failed.empty());
   REQUIRE(result.groups.size() == 1);
   CHECK(result.groups.front().objects == std::vector<Index>{1, 0, 2});
-  check_sound(result.groups.front().surface.mesh);
+  check_sound(result.groups.front().mesh);
 }
 
 TEST_CASE("a pair that doesn't meet is told and the others are joined") {
@@ -55,7 +57,7 @@ TEST_CASE("a pair that doesn't meet is told and the others are joined") {
   for (const FailedJoin& failed : result.failed) CHECK(failed.fault == JoinFault::DontMeet);
   REQUIRE(result.groups.size() == 1);
   CHECK(result.groups.front().objects == std::vector<Index>{0, 1});
-  check_sound(result.groups.front().surface.mesh);
+  check_sound(result.groups.front().mesh);
 }
 
 TEST_CASE("a pair without a sound union is told and the others are joined") {

@@ -10,7 +10,6 @@
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/sheet_improvement.h"
-#include "algorithms/silhouette/surface/sheet_surface.h"
 #include "croquis/geometry/self_intersection.h"
 #include "silhouette/figure_fixtures.h"
 #include "silhouette/surface_quality.h"
@@ -63,14 +62,7 @@ int euler_of(const SheetMesh& mesh) {
 
 PolyMesh whole_surface(const LabelledFigure& figure, const SheetMesh& mesh) {
   PolyMesh all;
-  for (const ObjectSurface& surface : object_surfaces(figure, mesh)) {
-    const auto first = static_cast<Index>(all.positions.size());
-    all.positions.insert(all.positions.end(), surface.mesh.positions.begin(), surface.mesh.positions.end());
-    for (Index f = 0; f < surface.mesh.face_count(); ++f) {
-      const auto c = surface.mesh.face(f);
-      all.add_triangle(c[0] + first, c[1] + first, c[2] + first);
-    }
-  }
+  for (const Shell& surface : object_surfaces(figure, mesh)) append_triangles(surface.mesh, all);
   return all;
 }
 

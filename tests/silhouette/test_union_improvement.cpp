@@ -23,27 +23,28 @@ using namespace croquis::silhouette;
 namespace {
 
 /// A ball with a smaller one sunk into it, with slivers all along the seam.
-SurfaceUnion joined_balls(std::uint64_t seed) {
+Shell joined_balls(std::uint64_t seed) {
   test::Random random(seed);
   PolyMesh big = test::triangulated(test::uv_sphere(40, 20));
   PolyMesh small = big;
   const double radius = random.between(0.4, 0.8);
   const Vec3 aside(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
   for (Vec3& position : small.positions) position = radius * position + aside.normalized();
-  const std::vector<UnionPart> parts{{&big, 0}, {&small, 1}};
+  const Shell first{big, {0}}, second{small, {1}};
+  const std::vector<const Shell*> parts{&first, &second};
   const std::vector<ObjectPair> pairs{{0, 1}};
   Progress progress;
   PartJoining joining = join_parts(parts, pairs, 1e-6, progress);
   REQUIRE(joining.groups.size() == 1);
-  return std::move(joining.groups.front().surface);
+  return std::move(joining.groups.front());
 }
 
-ImprovedUnion improved(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept) {
+ImprovedUnion improved(const Shell& joined, const std::vector<std::uint8_t>& kept) {
   Progress progress;
   return improve_union(joined, kept, progress);
 }
 
-ImprovedUnion improved(const SurfaceUnion& joined) {
+ImprovedUnion improved(const Shell& joined) {
   return improved(joined, std::vector<std::uint8_t>(joined.mesh.vertex_count(), 0));
 }
 
@@ -71,7 +72,7 @@ double farthest(const PolyMesh& from, const PolyMesh& to) {
 }
 
 /// Lines of edges where fronts and backs, or two objects, meet: their length.
-double feature_length(const SurfaceUnion& surface) {
+double feature_length(const Shell& surface) {
   std::map<std::pair<Index, Index>, std::vector<Index>> sides;
   const PolyMesh& mesh = surface.mesh;
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -94,9 +95,9 @@ double feature_length(const SurfaceUnion& surface) {
 TEST_CASE("the triangles of a joined surface become wide, and it stays what it was") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     INFO(seed);
-    const SurfaceUnion before = joined_balls(seed);
+    const Shell before = joined_balls(seed);
     const ImprovedUnion result = improved(before);
-    const SurfaceUnion& after = result.surface;
+    const Shell& after = result.surface;
     CHECK(slender_share(before.mesh) > 0.04);
     CHECK(slender_share(after.mesh) < 0.4 * slender_share(before.mesh));
     Progress progress;
@@ -117,7 +118,7 @@ TEST_CASE("the triangles of a joined surface become wide, and it stays what it w
 }
 
 TEST_CASE("triangles at kept vertices stay, and changed ones are told") {
-  const SurfaceUnion before = joined_balls(3);
+  const Shell before = joined_balls(3);
   std::vector<std::uint8_t> kept(before.mesh.vertex_count(), 0);
   for (Index v = 0; v < kept.size(); ++v) kept[v] = before.mesh.positions[v].x() > 0 ? 1 : 0;
   const ImprovedUnion result = improved(before, kept);
@@ -145,10 +146,10 @@ TEST_CASE("meeting faces are found among those that are asked for") {
   PolyMesh other;
   other.positions = {{0.5, 0.5, -1}, {0.6, 0.5, 1}, {0.5, 0.7, 1}};
   other.add_triangle(0, 1, 2);
-  const std::vector<CertificateInput> inputs{{&one, std::nullopt}, {&other, std::nullopt}};
+  const std::vector<const PolyMesh*> meshes{&one, &other};
   Progress progress;
   const auto count = [&](std::size_t mesh, Index face) {
-    return meeting_faces_of(inputs, mesh, std::vector<Index>{face}, Rounding::None, 1, progress).size();
+    return meeting_faces(meshes, Rounding::None, 1, progress, MeshFaces{mesh, {&face, 1}}).size();
   };
   CHECK(count(0, 0) == 1);
   CHECK(count(0, 1) == 0);

@@ -29,284 +29,216 @@ constexpr int max_improvements = 4;
 /// u: seams' edges shorter than that may go.
 constexpr double sliver = 0.25;
 
-Vec3 centre_of(const PolyMesh& mesh, Index face) {
-  const auto corners = mesh.face(face);
-  return (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) / 3;
-}
+/// By numbers of shells.
+using FacesOfShells = std::map<std::size_t, std::set<Index>>;
 
-std::vector<SidedOutline> outlines_of(const LabelledFigure& figure, const std::vector<Index>& objects) {
+using SeamShares = std::map<ObjectPair, double>;
+
+/// Whether a surface without a region of its own is closed and shows so much of what was drawn of its objects.
+bool is_sound(const LabelledFigure& figure, const Shell& shell, double least_silhouette, Progress& progress) {
+  if (!topology_fault(shell.mesh, std::nullopt, progress).empty()) return false;
   std::vector<SidedOutline> outlines;
-  for (const Index object : objects) {
+  for (const Index object : shell.objects) {
     for (const Index c : figure.objects[object].contours) {
-      SidedOutline outline{{}, figure.contours[c].side};
+      SidedOutline& outline = outlines.emplace_back();
+      outline.side = figure.contours[c].side;
       for (const Index v : figure.contours[c].vertices) outline.points.push_back(figure.points[v]);
-      outlines.push_back(std::move(outline));
     }
   }
-  return outlines;
+  const PolyMesh* mesh = &shell.mesh;
+  return silhouette_overlap({&mesh, 1}, outlines).ratio() >= least_silhouette;
 }
 
-/// Tells which seams are next to places of a shell.
-class NearestSeams {
- public:
-  NearestSeams(const FigureShell& shell, const Attachments& attachments) : shell_(shell) {
-    std::vector<std::set<Index>> objects(shell.mesh.vertex_count());
-    for (Index f = 0; f < shell.face_objects.size(); ++f) {
-      for (const Index v : shell.mesh.face(f)) objects[v].insert(shell.face_objects[f]);
-    }
-    for (Index v = 0; v < objects.size(); ++v) {
-      for (const Index a : objects[v]) {
-        for (const Index b : objects[v]) {
-          if (a < b && attachments.pairs().contains({a, b})) seams_.push_back({{a, b}, v});
-        }
-      }
+/// Faces that meet others, on the numbers as they are and as files may round them: nothing is proven about joined
+/// surfaces.
+FacesOfShells meeting_by_shell(const std::vector<Shell>& shells, double unit, Progress& progress,
+                               const std::optional<MeshFaces>& among = std::nullopt) {
+  std::vector<const PolyMesh*> meshes;
+  for (const Shell& shell : shells) meshes.push_back(&shell.mesh);
+  FacesOfShells meeting;
+  for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
+    for (const auto& pair : meeting_faces(meshes, rounding, unit, progress, among)) {
+      for (const MeshFace& place : pair) meeting[place.mesh].insert(place.face);
     }
   }
+  return meeting;
+}
 
-  /// The attachment of the face's object whose seam is nearest; none in a shell of one object.
-  std::optional<ObjectPair> of(Index face) const {
-    if (shell_.face_objects.empty()) return std::nullopt;
-    const Index own = shell_.face_objects[face];
-    const Vec3 centre = centre_of(shell_.mesh, face);
+/// The attachments whose seams are nearest to faces of a shell, among those of the faces' objects; none in a shell of
+/// one object.
+std::set<ObjectPair> nearest_seams(const Shell& shell, const Attachments& attachments, const std::set<Index>& faces) {
+  if (shell.face_objects.empty()) return {};
+  const PolyMesh& mesh = shell.mesh;
+  std::vector<std::set<Index>> objects(mesh.vertex_count());
+  for (Index f = 0; f < shell.face_objects.size(); ++f) {
+    for (const Index v : mesh.face(f)) objects[v].insert(shell.face_objects[f]);
+  }
+  std::vector<Index> on_seams;
+  for (Index v = 0; v < objects.size(); ++v) {
+    if (objects[v].size() > 1) on_seams.push_back(v);
+  }
+  std::set<ObjectPair> seams;
+  for (const Index face : faces) {
+    const Index own = shell.face_objects[face];
+    const auto corners = mesh.face(face);
+    const Vec3 centre = (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) / 3;
     std::optional<ObjectPair> nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& [pair, v] : seams_) {
-      const double distance = (shell_.mesh.positions[v] - centre).squaredNorm();
-      if ((pair.first != own && pair.second != own) || distance >= least) continue;
-      least = distance;
-      nearest = pair;
-    }
-    return nearest;
-  }
-
- private:
-  const FigureShell& shell_;
-  std::vector<std::pair<ObjectPair, Index>> seams_;  ///< vertices of seams
-};
-
-class ShellMaker {
- public:
-  ShellMaker(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces, const Attachments& attachments)
-      : figure_(figure), surfaces_(surfaces), attachments_(attachments) {}
-
-  FigureShells make(const std::map<ObjectPair, double>& seams, Progress& progress) {
-    if (!attachments_.empty()) join(progress);
-    if (!result_.failed.empty()) return std::move(result_);
-    for (const CheckedSurface& surface : surfaces_) {
-      if (!attachments_.involves(surface.surface->object)) add_single(surface);
-    }
-    std::sort(result_.shells.begin(), result_.shells.end(),
-              [](const FigureShell& a, const FigureShell& b) { return a.objects.front() < b.objects.front(); });
-    if (!attachments_.empty()) check_apart(progress);
-    if (result_.failed.empty() && !seams.empty()) blend(seams, progress);
-    for (std::size_t shell = 0; shell < result_.shells.size(); ++shell) improve(shell, progress);
-    return std::move(result_);
-  }
-
- private:
-  void join(Progress& progress) {
-    std::vector<UnionPart> parts;
-    for (const CheckedSurface& surface : surfaces_) {
-      const Index object = surface.surface->object;
-      if (!attachments_.involves(object)) continue;
-      if (surface.fault.empty()) {
-        parts.push_back({&surface.surface->mesh, object});
-      } else {
-        fail_pairs_of(object);
+    for (const Index v : on_seams) {
+      const double distance = (mesh.positions[v] - centre).squaredNorm();
+      if (distance >= least || !objects[v].contains(own)) continue;
+      for (const Index other : objects[v]) {
+        const ObjectPair pair = std::minmax(own, other);
+        if (!attachments.pairs().contains(pair)) continue;
+        least = distance;
+        nearest = pair;
+        break;
       }
     }
-    if (!result_.failed.empty()) return;
-    std::vector<ObjectPair> pairs;
-    for (const auto& [pair, kappa] : attachments_.pairs()) pairs.push_back(pair);
-    PartJoining joining = join_parts(parts, pairs, sliver * figure_.unit, progress);
-    result_.failed = std::move(joining.failed);
-    for (JoinedParts& joined : joining.groups) add_joined(std::move(joined), progress);
+    if (nearest) seams.insert(*nearest);
   }
+  return seams;
+}
 
-  /// A surface that shows less than was drawn, or isn't closed, was spoilt by a part: by the last one for all we know.
-  void add_joined(JoinedParts joined, Progress& progress) {
-    const PolyMesh& mesh = joined.surface.mesh;
-    const CertificateInput input{&mesh, std::nullopt};
-    if (!certify_topology({&input, 1}, progress).front().empty() ||
-        silhouette_overlap(mesh, outlines_of(figure_, joined.objects)).ratio() < least_kept_silhouette) {
-      fail_pairs_of(joined.objects.back());
-      return;
-    }
-    // A closed surface of triangles has three edges for every two faces.
-    const int euler = static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.face_count() / 2);
-    std::sort(joined.objects.begin(), joined.objects.end());
-    result_.shells.push_back(
-        {std::move(joined.surface.mesh), std::move(joined.objects), std::move(joined.surface.face_objects), euler, {}});
+void fail_pairs_of(Index object, const Attachments& attachments, FigureShells& made) {
+  for (const auto& [pair, kappa] : attachments.pairs()) {
+    if (pair.first == object || pair.second == object) made.failed.push_back({pair, JoinFault::Unsound});
   }
+}
 
-  void add_single(const CheckedSurface& checked) {
-    const Index object = checked.surface->object;
-    if (checked.fault.empty()) {
-      // certify_topology has counted the mesh's Euler number and found it to be this.
-      result_.shells.push_back({checked.surface->mesh, {object}, {}, 2 * figure_.objects[object].euler_region, {}});
+void join(const LabelledFigure& figure, const std::vector<Shell>& surfaces, const std::vector<std::string>& faults,
+          const Attachments& attachments, FigureShells& made, Progress& progress) {
+  std::vector<const Shell*> parts;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const Index object = surfaces[s].objects.front();
+    if (!attachments.involves(object)) continue;
+    if (faults[s].empty()) {
+      parts.push_back(&surfaces[s]);
     } else {
-      result_.refused.emplace_back(object, checked.fault);
+      fail_pairs_of(object, attachments, made);
     }
   }
-
-  void fail_pairs_of(Index object) {
-    for (const auto& [pair, kappa] : attachments_.pairs()) {
-      if (pair.first == object || pair.second == object) result_.failed.push_back({pair, JoinFault::Unsound});
+  if (!made.failed.empty()) return;
+  std::vector<ObjectPair> pairs;
+  for (const auto& [pair, kappa] : attachments.pairs()) pairs.push_back(pair);
+  PartJoining joining = join_parts(parts, pairs, sliver * figure.unit, progress);
+  made.failed = std::move(joining.failed);
+  for (Shell& joined : joining.groups) {
+    if (!is_sound(figure, joined, least_kept_silhouette, progress)) {
+      fail_pairs_of(joined.objects.back(), attachments, made);  // it was spoilt by a part: the last one for all we know
+      continue;
     }
+    std::ranges::sort(joined.objects);
+    made.shells.push_back(std::move(joined));
   }
+}
 
-  /// Nothing is proven about joined surfaces: they are tested on the numbers as they are and as files may round them.
-  void check_apart(Progress& progress) {
-    std::vector<CertificateInput> inputs;
-    for (const FigureShell& shell : result_.shells) inputs.push_back({&shell.mesh, std::nullopt});
-    std::set<ObjectPair> spoilt;
-    std::set<std::size_t> refused;
-    for (const auto& [shell, faces] : meeting_by_shell(inputs, progress)) {
-      const NearestSeams seams(result_.shells[shell], attachments_);
-      for (const Index face : faces) {
-        if (const std::optional<ObjectPair> pair = seams.of(face)) {
-          spoilt.insert(*pair);
-        } else {
-          refused.insert(shell);
-        }
-      }
-    }
-    for (const ObjectPair& pair : spoilt) result_.failed.push_back({pair, JoinFault::Unsound});
-    if (!spoilt.empty()) return;
-    for (auto mesh = refused.rbegin(); mesh != refused.rend(); ++mesh) {
-      result_.refused.emplace_back(result_.shells[*mesh].objects.front(), "intersects another one");
-      result_.shells.erase(result_.shells.begin() + static_cast<std::ptrdiff_t>(*mesh));
-    }
+void check_apart(double unit, const Attachments& attachments, FigureShells& made, Progress& progress) {
+  const FacesOfShells meeting = meeting_by_shell(made.shells, unit, progress);
+  std::set<ObjectPair> spoilt;
+  for (const auto& [shell, faces] : meeting) spoilt.merge(nearest_seams(made.shells[shell], attachments, faces));
+  for (const ObjectPair& pair : spoilt) made.failed.push_back({pair, JoinFault::Unsound});
+  if (!spoilt.empty()) return;
+  for (auto shell = meeting.rbegin(); shell != meeting.rend(); ++shell) {
+    made.refused.emplace_back(made.shells[shell->first].objects.front(), "intersects another one");
+    made.shells.erase(made.shells.begin() + static_cast<std::ptrdiff_t>(shell->first));
   }
+}
 
-  void blend(const std::map<ObjectPair, double>& seams, Progress& progress) {
-    for (FigureShell& shell : result_.shells) {
-      if (shell.face_objects.empty()) continue;
-      std::map<ObjectPair, double> own;
-      for (const auto& seam : seams) {
-        if (std::binary_search(shell.objects.begin(), shell.objects.end(), seam.first.first)) own.insert(seam);
-      }
-      if (!own.empty()) blend(shell, std::move(own), progress);
-    }
+/// Halves the radii of these seams, of all where there are none of them; below a quarter a seam stays sharp.
+void lessen(const std::set<ObjectPair>& fault, SeamShares& shares) {
+  const bool all = std::ranges::none_of(fault, [&](const ObjectPair& pair) { return shares.contains(pair); });
+  for (auto& [pair, share] : shares) {
+    if (all || fault.contains(pair)) share /= 2;
   }
+  std::erase_if(shares, [](const auto& entry) { return entry.second < least_share; });
+}
 
-  /// @param radii of the shell's own seams
-  void blend(FigureShell& shell, std::map<ObjectPair, double> radii, Progress& progress) {
-    SurfaceUnion sharp{std::move(shell.mesh), std::move(shell.face_objects)};
-    std::map<ObjectPair, double> shares;
-    for (const auto& [pair, radius] : radii) shares[pair] = 1;
-    for (int k = 0; k < max_blends && !shares.empty(); ++k) {
-      progress.check();
-      std::map<ObjectPair, double> tried;
-      for (const auto& [pair, share] : shares) tried[pair] = share * radii[pair];
-      std::optional<SurfaceUnion> blended = blend_seams(sharp, tried, finest_share * figure_.step);
-      if (blended) {
-        shell.mesh = std::move(blended->mesh);
-        shell.face_objects = std::move(blended->face_objects);
-        const std::optional<std::set<ObjectPair>> fault = blend_fault(shell, progress);
-        if (!fault) {
-          shell.blends = std::move(shares);
-          return;
-        }
-        lessen(*fault, shares);
-      } else {
-        lessen({}, shares);
-      }
-    }
-    shell.mesh = std::move(sharp.mesh);
-    shell.face_objects = std::move(sharp.face_objects);
+/// What is wrong with a shell whose seams were rounded, also beside all others: none for nothing, else the seams next
+/// to the places where surfaces meet; empty where it isn't known which.
+std::optional<std::set<ObjectPair>> blend_fault(const LabelledFigure& figure, const std::vector<Shell>& shells,
+                                                std::size_t number, const Attachments& attachments,
+                                                Progress& progress) {
+  if (!is_sound(figure, shells[number], least_blended_silhouette, progress)) return std::set<ObjectPair>{};
+  FacesOfShells meeting = meeting_by_shell(shells, figure.unit, progress);
+  if (meeting.empty()) return std::nullopt;
+  return nearest_seams(shells[number], attachments, meeting[number]);
+}
+
+/// @param radii of seams; those of other shells don't matter
+void blend(const LabelledFigure& figure, std::size_t number, const Attachments& attachments, const SeamShares& radii,
+           std::vector<Shell>& shells, Progress& progress) {
+  Shell& shell = shells[number];
+  SeamShares shares;
+  for (const auto& [pair, radius] : radii) {
+    if (std::ranges::binary_search(shell.objects, pair.first)) shares[pair] = 1;
   }
-
-  /// Halves the radii of these seams, of all where there are none of them; below a quarter a seam stays sharp.
-  static void lessen(const std::set<ObjectPair>& fault, std::map<ObjectPair, double>& shares) {
-    const bool all = std::none_of(fault.begin(), fault.end(), [&](const auto& pair) { return shares.contains(pair); });
-    for (auto& [pair, share] : shares) {
-      if (all || fault.contains(pair)) share /= 2;
-    }
-    std::erase_if(shares, [](const auto& entry) { return entry.second < least_share; });
-  }
-
-  /// What is wrong with a shell whose seams were rounded, also beside all others: none for nothing, else the seams next
-  /// to the places where surfaces meet; empty where it isn't known which.
-  std::optional<std::set<ObjectPair>> blend_fault(const FigureShell& shell, Progress& progress) const {
-    const CertificateInput own{&shell.mesh, std::nullopt};
-    if (!certify_topology({&own, 1}, progress).front().empty()) return std::set<ObjectPair>{};
-    if (silhouette_overlap(shell.mesh, outlines_of(figure_, shell.objects)).ratio() < least_blended_silhouette) {
-      return std::set<ObjectPair>{};
-    }
-    std::vector<CertificateInput> inputs;
-    for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
-    const std::map<std::size_t, std::set<Index>> meeting = meeting_by_shell(inputs, progress);
-    if (meeting.empty()) return std::nullopt;
+  if (shares.empty() || shell.face_objects.empty()) return;
+  Shell sharp = std::move(shell);
+  for (int k = 0; k < max_blends && !shares.empty(); ++k) {
+    progress.check();
+    SeamShares tried;
+    for (const auto& [pair, share] : shares) tried[pair] = share * radii.at(pair);
+    std::optional<Shell> blended = blend_seams(sharp, tried, finest_share * figure.step);
     std::set<ObjectPair> fault;
-    const auto own_faces = meeting.find(static_cast<std::size_t>(&shell - result_.shells.data()));
-    if (own_faces == meeting.end()) return fault;
-    const NearestSeams nearest(shell, attachments_);
-    for (const Index face : own_faces->second) {
-      if (const std::optional<ObjectPair> pair = nearest.of(face)) fault.insert(*pair);
-    }
-    return fault;
-  }
-
-  /// Faces that meet others, as they are or rounded, by their shells.
-  std::map<std::size_t, std::set<Index>> meeting_by_shell(const std::vector<CertificateInput>& inputs,
-                                                          Progress& progress) const {
-    std::map<std::size_t, std::set<Index>> meeting;
-    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      for (const auto& pair : meeting_faces(inputs, rounding, figure_.unit, progress)) {
-        for (const MeshFace& place : pair) meeting[place.mesh].insert(place.face);
+    if (blended) {
+      shell = std::move(*blended);
+      const std::optional<std::set<ObjectPair>> found = blend_fault(figure, shells, number, attachments, progress);
+      if (!found) {
+        shell.blends = std::move(shares);
+        return;
       }
+      fault = *found;
     }
-    return meeting;
+    lessen(fault, shares);
   }
+  shell = std::move(sharp);
+}
 
-  /// Wider triangles where shells are joined. Where surfaces would meet their triangles stay as they were, or else all.
-  void improve(std::size_t number, Progress& progress) {
-    FigureShell& shell = result_.shells[number];
-    if (shell.face_objects.empty()) return;
-    const SurfaceUnion joined{std::move(shell.mesh), std::move(shell.face_objects)};
-    std::vector<std::uint8_t> kept(joined.mesh.vertex_count(), 0);
-    for (int k = 0; k < max_improvements; ++k) {
-      ImprovedUnion improved = improve_union(joined, kept, progress);
-      shell.mesh = std::move(improved.surface.mesh);
-      shell.face_objects = std::move(improved.surface.face_objects);
-      const std::vector<Index> meeting = meeting_vertices(number, improved.changed, progress);
-      if (meeting.empty()) return;
-      for (const Index v : meeting) kept[improved.vertices[v]] = 1;
+/// Wider triangles where shells are joined. Where surfaces would meet their triangles stay as they were, or else all.
+void improve(std::size_t number, double unit, std::vector<Shell>& shells, Progress& progress) {
+  Shell& shell = shells[number];
+  if (shell.face_objects.empty()) return;
+  Shell joined = std::move(shell);
+  std::vector<std::uint8_t> kept(joined.mesh.vertex_count(), 0);
+  for (int k = 0; k < max_improvements; ++k) {
+    ImprovedUnion improved = improve_union(joined, kept, progress);
+    shell = std::move(improved.surface);
+    FacesOfShells meeting = meeting_by_shell(shells, unit, progress, MeshFaces{number, improved.changed});
+    if (meeting[number].empty()) return;
+    for (const Index face : meeting[number]) {
+      for (const Index v : shell.mesh.face(face)) kept[improved.vertices[v]] = 1;
     }
-    shell.mesh = joined.mesh;
-    shell.face_objects = joined.face_objects;
   }
-
-  /// Of the shell's faces that meet others, one of them among those given.
-  std::vector<Index> meeting_vertices(std::size_t shell, const std::vector<Index>& faces, Progress& progress) const {
-    std::vector<CertificateInput> inputs;
-    for (const FigureShell& other : result_.shells) inputs.push_back({&other.mesh, std::nullopt});
-    std::vector<Index> vertices;
-    for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
-      for (const auto& meeting : meeting_faces_of(inputs, shell, faces, rounding, figure_.unit, progress)) {
-        for (const MeshFace& place : meeting) {
-          if (place.mesh != shell) continue;
-          const auto corners = result_.shells[shell].mesh.face(place.face);
-          vertices.insert(vertices.end(), corners.begin(), corners.end());
-        }
-      }
-    }
-    return vertices;
-  }
-
-  const LabelledFigure& figure_;
-  const std::vector<CheckedSurface>& surfaces_;
-  const Attachments& attachments_;
-  FigureShells result_;
-};
+  shell = std::move(joined);
+}
 
 }  // namespace
 
-FigureShells make_shells(const LabelledFigure& figure, const std::vector<CheckedSurface>& surfaces,
-                         const Attachments& attachments, const std::map<ObjectPair, double>& seams,
-                         Progress& progress) {
-  return ShellMaker(figure, surfaces, attachments).make(seams, progress);
+FigureShells make_shells(const LabelledFigure& figure, std::vector<Shell> surfaces,
+                         const std::vector<std::string>& faults, const Attachments& attachments,
+                         const std::map<ObjectPair, double>& seams, Progress& progress) {
+  FigureShells made;
+  if (!attachments.empty()) join(figure, surfaces, faults, attachments, made, progress);
+  if (!made.failed.empty()) return made;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const Index object = surfaces[s].objects.front();
+    if (attachments.involves(object)) continue;
+    if (faults[s].empty()) {
+      made.shells.push_back(std::move(surfaces[s]));
+    } else {
+      made.refused.emplace_back(object, faults[s]);
+    }
+  }
+  std::ranges::sort(made.shells, {}, [](const Shell& shell) { return shell.objects.front(); });
+  if (!attachments.empty()) check_apart(figure.unit, attachments, made, progress);
+  for (std::size_t shell = 0; made.failed.empty() && !seams.empty() && shell < made.shells.size(); ++shell) {
+    blend(figure, shell, attachments, seams, made.shells, progress);
+  }
+  for (std::size_t shell = 0; shell < made.shells.size(); ++shell) {
+    improve(shell, figure.unit, made.shells, progress);
+  }
+  return made;
 }
 
 }  // namespace croquis::silhouette

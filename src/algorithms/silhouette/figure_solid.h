@@ -12,7 +12,6 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
-#include "croquis/geometry/poly_mesh.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/options.h"
 #include "croquis/silhouette/solid.h"
@@ -21,9 +20,9 @@ namespace croquis::silhouette {
 
 /// What one figure of a drawing becomes.
 struct FigureSolid {
-  std::vector<FigureShell> shells;  ///< the sound ones, by their first objects
-  HeldObjects held;                 ///< joined ones only where they could be
-  PolyMesh skeleton;
+  std::vector<Shell> shells;  ///< the sound ones, by their first objects
+  HeldObjects held;           ///< joined ones only where they could be
+  Skeleton skeleton;
   SolidDiagnostics diagnostics;  ///< without silhouette_iou
   Overlap overlap;               ///< of the shells with the drawing
   Findings findings;

@@ -12,8 +12,9 @@
 
 #include "algorithms/silhouette/attached_pairs.h"
 #include "algorithms/silhouette/figure_solid.h"
-#include "algorithms/silhouette/mesh_append.h"
 #include "algorithms/silhouette/skeleton/object_weights.h"
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "algorithms/silhouette/surface_lines.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/polyline.h"
@@ -72,168 +73,146 @@ DrawnUse use_of(const Drawing& drawing, const Solid& solid, double largest_area)
 }
 
 Finding left_out_error(const Drawing& drawing, const DrawnUse& use) {
-  const Stroke& stroke = drawing.strokes[use.left_out];
-  Subject subject{SubjectKind::Stroke, stroke.id, {}, stroke.line, {}};
-  if (!drawing.file.empty()) subject.file = drawing.file;
   const auto percent = static_cast<int>(100 * use.meant);
   return make_error(Category::Geometry, "E_LEFT_OUT",
-                    "The solid would use only " + std::to_string(percent) + " % of what is drawn and lack \"" +
-                        stroke.id +
-                        "\", the largest line that is left out: close that line, lead its ends to the lines that they "
+                    "The solid would use only " + std::to_string(percent) + " % of what is drawn and lack " +
+                        in_quotes(drawing, use.left_out) +
+                        ", the largest line that is left out: close that line, lead its ends to the lines that they "
                         "pass behind, or delete it",
-                    {std::move(subject)});
+                    {stroke_subject(drawing, use.left_out)});
 }
 
-/// Puts the drawing's solids together, figure by figure.
-class SolidBuilder {
- public:
-  explicit SolidBuilder(const Drawing& drawing) : drawing_(drawing) {
-    solid_.diagnostics.minimum_gap = std::numeric_limits<double>::infinity();
-    solid_.mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>{}, {}});
-  }
+void add_findings(const Findings& from, Findings& to) { to.insert(to.end(), from.begin(), from.end()); }
 
-  /// One bad figure doesn't stop the others: its errors are kept.
-  void add(const LabelledFigure& figure, const FigureSettings& settings, Progress& progress) {
-    try {
-      add_figure(figure, settings.depth, *make_figure_solid(figure, drawing_, settings, progress));
-    } catch (const Error& error) {
-      for (Finding finding : error.findings()) {
-        if (finding.subjects.empty()) finding.subjects = figure_subjects(figure);
-        solid_.findings.push_back(std::move(finding));
-      }
+void add_lines(const LabelledDrawing& labelled, const Drawing& drawing, Solid& solid) {
+  constexpr double shown_within = 15;  // u: a line that near to a contour is that contour
+  if (labelled.figures.empty()) return;
+  std::vector<DrawnLine> details, contours;
+  double step = 0, unit = 0;
+  for (const LabelledFigure& figure : labelled.figures) {
+    step = std::max(step, figure.step);
+    unit = std::max(unit, figure.unit);
+  }
+  for (Index s = 0; s < labelled.kinds.size(); ++s) {
+    const Stroke& stroke = drawing.strokes[s];
+    DrawnLine line{s, sample_places(stroke), stroke.closed};
+    if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) {
+      details.push_back(std::move(line));
+    } else if (labelled.kinds[s] == StrokeKind::Contour) {
+      contours.push_back(std::move(line));
     }
   }
+  std::ranges::move(inner_pieces(contours, labelled.figures, shown_within * unit), std::back_inserter(details));
+  solid.lines = surface_lines(details, solid.mesh, step);
+}
 
-  void add_findings(const Findings& findings) {
-    solid_.findings.insert(solid_.findings.end(), findings.begin(), findings.end());
+void add_attachments(const LabelledFigure& figure, const HeldObjects& held, Solid& solid) {
+  std::map<ObjectPair, SolidAttachment> attached;
+  const auto attach = [&](const ObjectPair& pair, Hold hold) -> SolidAttachment& {
+    const auto place = std::ranges::find_if(figure.overlaps, [&](const FigureOverlap& overlap) {
+      return pair == ObjectPair(std::minmax(overlap.upper, overlap.lower));
+    });
+    SolidAttachment& made = attached[pair];
+    made.a = figure.objects[pair.first].name;
+    made.b = figure.objects[pair.second].name;
+    made.hold = hold;
+    if (place != figure.overlaps.end()) made.at = place->at;
+    return made;
+  };
+  for (const ObjectPair& pair : held.attachments.resting_pairs()) attach(pair, Hold::Resting);
+  for (const auto& [pair, kappa] : held.attachments.pairs()) {
+    SolidAttachment& joined = attach(pair, Hold::Joined);
+    joined.kappa = kappa;
+    const auto blend = held.blends.find(pair);
+    if (blend != held.blends.end()) joined.blend = blend->second;
   }
+  for (auto& [pair, made] : attached) solid.attached.push_back(std::move(made));
+}
 
-  Solid take(const LabelledDrawing& labelled) {
-    const Findings& labelling = labelled.findings;
-    add_lines(labelled);
-    const DrawnUse use = use_of(drawing_, solid_, largest_area_);
-    if (solid_.objects.empty() || use.meant < least_use || !use.has_largest_outline) {
-      solid_.findings.insert(solid_.findings.begin(), labelling.begin(), labelling.end());
-      if (!solid_.objects.empty()) {
-        solid_.findings.insert(solid_.findings.begin(), left_out_error(drawing_, use));
-      } else if (!has_errors(solid_.findings)) {
-        solid_.findings.push_back(
-            make_error(Category::Geometry, "E_EMPTY", "The drawing has no closed outline: draw at least one"));
-      }
-      throw Error(std::move(solid_.findings));
-    }
-    solid_.used = use.share;
-    const bool measured = overlap_.either > 0;
-    solid_.diagnostics.silhouette_iou = measured ? overlap_.ratio() : std::numeric_limits<double>::quiet_NaN();
-    return std::move(solid_);
+void add_shell(const LabelledFigure& figure, const DepthSettings& settings, const Shell& shell, Solid& solid) {
+  AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
+  SolidShell made{{}, shell.euler};
+  std::vector<std::int32_t> number(figure.objects.size(), 0);
+  for (const Index o : shell.objects) {
+    const FigureObject& object = figure.objects[o];
+    number[o] = static_cast<std::int32_t>(channel.labels.size());
+    channel.labels.push_back(object.name);
+    made.objects.push_back(static_cast<Index>(solid.objects.size()));
+    // Counted and found to be this, see topology_fault.
+    solid.objects.push_back(
+        {object.name, object.strokes, object.euler_region, 2 * object.euler_region, settings.thickness_of(o)});
   }
+  auto& values = std::get<std::vector<std::int32_t>>(channel.data);
+  for (Index f = 0; f < shell.mesh.face_count(); ++f) values.push_back(number[shell.object_of(f)]);
+  append_triangles(shell.mesh, solid.mesh);
+  solid.shells.push_back(std::move(made));
+}
 
- private:
-  void add_figure(const LabelledFigure& figure, const DepthSettings& settings, const FigureSolid& part) {
-    for (const FigureShell& shell : part.shells) add_shell(figure, settings, shell);
-    add_attachments(figure, part.held);
-    overlap_.both += part.overlap.both;
-    overlap_.either += part.overlap.either;
-    add_findings(part.findings);
-    add_diagnostics(part.diagnostics);
-    append_curves(part.skeleton, solid_.skeleton);
-  }
+void add_diagnostics(const SolidDiagnostics& part, SolidDiagnostics& total) {
+  total.skeleton_vertices += part.skeleton_vertices;
+  total.collision_constraints += part.collision_constraints;
+  total.scale = std::max(total.scale, part.scale);
+  total.minimum_gap = std::min(total.minimum_gap, part.minimum_gap);
+  total.solver_iterations = std::max(total.solver_iterations, part.solver_iterations);
+  total.solver_residual = std::max(total.solver_residual, part.solver_residual);
+  total.depth_ratio = std::max(total.depth_ratio, part.depth_ratio);
+}
 
-  void add_lines(const LabelledDrawing& labelled) {
-    constexpr double shown_within = 15;  // u: a line that near to a contour is that contour
-    if (labelled.figures.empty()) return;
-    std::vector<DrawnLine> details, contours;
-    double step = 0, unit = 0;
-    for (const LabelledFigure& figure : labelled.figures) {
-      step = std::max(step, figure.step);
-      unit = std::max(unit, figure.unit);
-    }
-    for (Index s = 0; s < labelled.kinds.size(); ++s) {
-      const Stroke& stroke = drawing_.strokes[s];
-      DrawnLine line{s, sample_places(stroke), stroke.closed};
-      if (labelled.kinds[s] == StrokeKind::Detail || labelled.kinds[s] == StrokeKind::Scribble) {
-        details.push_back(std::move(line));
-      } else if (labelled.kinds[s] == StrokeKind::Contour) {
-        contours.push_back(std::move(line));
-      }
-    }
-    std::ranges::move(inner_pieces(contours, labelled.figures, shown_within * unit), std::back_inserter(details));
-    solid_.lines = surface_lines(details, solid_.mesh, step);
-  }
-
-  void add_attachments(const LabelledFigure& figure, const HeldObjects& held) {
-    std::map<Attachments::Pair, SolidAttachment> attached;
-    const auto attach = [&](const Attachments::Pair& pair, Hold hold) -> SolidAttachment& {
-      const auto place =
-          std::find_if(figure.overlaps.begin(), figure.overlaps.end(), [&](const FigureOverlap& overlap) {
-            return pair == Attachments::Pair(std::minmax(overlap.upper, overlap.lower));
-          });
-      SolidAttachment& made = attached[pair];
-      made.a = figure.objects[pair.first].name;
-      made.b = figure.objects[pair.second].name;
-      made.hold = hold;
-      if (place != figure.overlaps.end()) made.at = place->at;
-      return made;
-    };
-    for (const Attachments::Pair& pair : held.attachments.resting_pairs()) attach(pair, Hold::Resting);
-    for (const auto& [pair, kappa] : held.attachments.pairs()) {
-      SolidAttachment& joined = attach(pair, Hold::Joined);
-      joined.kappa = kappa;
-      const auto blend = held.blends.find(pair);
-      if (blend != held.blends.end()) joined.blend = blend->second;
-    }
-    for (auto& [pair, made] : attached) solid_.attached.push_back(std::move(made));
-  }
-
-  void add_shell(const LabelledFigure& figure, const DepthSettings& settings, const FigureShell& shell) {
-    AttributeChannel& channel = *solid_.mesh.channel("object", Domain::Face);
-    SolidShell made{{}, shell.euler};
-    std::vector<std::int32_t> number(figure.objects.size(), 0);
-    for (const Index o : shell.objects) {
-      const FigureObject& object = figure.objects[o];
-      number[o] = static_cast<std::int32_t>(channel.labels.size());
-      channel.labels.push_back(object.name);
-      made.objects.push_back(static_cast<Index>(solid_.objects.size()));
-      for (const Index c : object.contours) {
-        largest_area_ = std::max(largest_area_, std::abs(signed_area(figure.raw_contours[c])));
-      }
-      // Counted and found to be this, see certify_topology.
-      solid_.objects.push_back(
-          {object.name, object.strokes, object.euler_region, 2 * object.euler_region, settings.thickness_of(o)});
-    }
-    auto& values = std::get<std::vector<std::int32_t>>(channel.data);
-    for (std::size_t f = 0; f < shell.mesh.face_count(); ++f) {
-      values.push_back(number[shell.face_objects.empty() ? shell.objects.front() : shell.face_objects[f]]);
-    }
-    append_triangles(shell.mesh, solid_.mesh);
-    solid_.shells.push_back(std::move(made));
-  }
-
-  void add_diagnostics(const SolidDiagnostics& part) {
-    SolidDiagnostics& total = solid_.diagnostics;
-    total.skeleton_vertices += part.skeleton_vertices;
-    total.collision_constraints += part.collision_constraints;
-    total.scale = std::max(total.scale, part.scale);
-    total.minimum_gap = std::min(total.minimum_gap, part.minimum_gap);
-    total.solver_iterations = std::max(total.solver_iterations, part.solver_iterations);
-    total.solver_residual = std::max(total.solver_residual, part.solver_residual);
-    total.depth_ratio = std::max(total.depth_ratio, part.depth_ratio);
-  }
-
-  std::vector<Subject> figure_subjects(const LabelledFigure& figure) const {
-    std::vector<Subject> subjects;
-    for (const FigureObject& object : figure.objects) {
-      const std::vector<Subject> own = object_subjects(object, drawing_);
-      subjects.insert(subjects.end(), own.begin(), own.end());
-    }
-    return subjects;
-  }
-
-  const Drawing& drawing_;
-  Solid solid_;
-  double largest_area_ = 0;  ///< that an outline of it encloses
-  Overlap overlap_;
+/// What is known of a solid while its figures are added.
+struct SolidSoFar {
+  Solid solid;
+  double largest_area = 0;  ///< that an outline of it encloses
+  Overlap overlap;
 };
+
+void add_figure(const LabelledFigure& figure, const DepthSettings& settings, const FigureSolid& part,
+                SolidSoFar& made) {
+  for (const Shell& shell : part.shells) {
+    add_shell(figure, settings, shell, made.solid);
+    for (const Index object : shell.objects) {
+      for (const Index c : figure.objects[object].contours) {
+        made.largest_area = std::max(made.largest_area, std::abs(signed_area(figure.raw_contours[c])));
+      }
+    }
+  }
+  add_attachments(figure, part.held, made.solid);
+  made.overlap.both += part.overlap.both;
+  made.overlap.either += part.overlap.either;
+  add_findings(part.findings, made.solid.findings);
+  add_diagnostics(part.diagnostics, made.solid.diagnostics);
+  append_skeleton(part.skeleton, made.solid.skeleton);
+}
+
+/// One bad figure doesn't stop the others: its errors are kept.
+void try_figure(const LabelledFigure& figure, const Drawing& drawing, const FigureSettings& settings, SolidSoFar& made,
+                Progress& progress) {
+  try {
+    add_figure(figure, settings.depth, *make_figure_solid(figure, drawing, settings, progress), made);
+  } catch (const Error& error) {
+    for (Finding finding : error.findings()) {
+      if (finding.subjects.empty()) {
+        for (const FigureObject& object : figure.objects) {
+          std::ranges::move(object_subjects(object, drawing), std::back_inserter(finding.subjects));
+        }
+      }
+      made.solid.findings.push_back(std::move(finding));
+    }
+  }
+}
+
+/// @throws Error where the solid is none of the drawing
+void require_use(const LabelledDrawing& labelled, const Drawing& drawing, const DrawnUse& use, Solid& solid) {
+  if (!solid.objects.empty() && use.meant >= least_use && use.has_largest_outline) return;
+  Findings findings = labelled.findings;
+  add_findings(solid.findings, findings);
+  if (!solid.objects.empty()) {
+    findings.insert(findings.begin(), left_out_error(drawing, use));
+  } else if (!has_errors(findings)) {
+    findings.push_back(
+        make_error(Category::Geometry, "E_EMPTY", "The drawing has no closed outline: draw at least one"));
+  }
+  throw Error(std::move(findings));
+}
 
 /// The settings of every figure, before any work: mistyped weights and thicknesses are reported at once.
 std::vector<FigureSettings> settings_of_figures(const LabelledDrawing& labelled, const Drawing& drawing,
@@ -261,16 +240,24 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
   double total = 0;
   for (const LabelledFigure& figure : labelled.figures) total += static_cast<double>(figure.points.size());
 
-  SolidBuilder builder(drawing);
-  builder.add_findings(attached.warnings);
+  SolidSoFar made;
+  Solid& solid = made.solid;
+  solid.findings = std::move(attached.warnings);
+  solid.diagnostics.minimum_gap = std::numeric_limits<double>::infinity();
+  solid.mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>{}, {}});
   for (std::size_t f = 0; f < labelled.figures.size(); ++f) {
     const LabelledFigure& figure = labelled.figures[f];
     Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
-    builder.add(figure, settings[f], part);
+    try_figure(figure, drawing, settings[f], made, part);
   }
-  Solid solid = builder.take(labelled);
+  add_lines(labelled, drawing, solid);
+  const DrawnUse use = use_of(drawing, solid, made.largest_area);
+  require_use(labelled, drawing, use, solid);
+  solid.used = use.share;
+  const bool measured = made.overlap.either > 0;
+  solid.diagnostics.silhouette_iou = measured ? made.overlap.ratio() : std::numeric_limits<double>::quiet_NaN();
   progress.report(1);
-  return solid;
+  return std::move(solid);
 }
 
 }  // namespace croquis::silhouette

@@ -113,11 +113,7 @@ std::vector<DrawnLine> inner_pieces(const std::vector<DrawnLine>& lines, const s
   const SegmentGrid grid(std::move(shown), reach);
   const auto is_shown = [&](const Vec2& place) {
     bool near = false;
-    grid.near_box(place - Vec2::Constant(reach), place + Vec2::Constant(reach), [&](Index i) {
-      const GridSegment& segment = grid.segments()[i];
-      const double t = nearest_parameter(place, segment.a, segment.b);
-      near = near || (segment.a + t * (segment.b - segment.a) - place).norm() <= reach;
-    });
+    grid.near_place(place, reach, [&](const GridSegment&, const Vec2&) { near = true; });
     return near;
   };
   std::vector<DrawnLine> pieces;

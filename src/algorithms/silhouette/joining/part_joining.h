@@ -2,21 +2,16 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "algorithms/silhouette/joining/surface_union.h"
+#include "algorithms/silhouette/surface/shell.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::silhouette {
 
-/// Two objects, a < b.
-using ObjectPair = std::pair<Index, Index>;
-
 /// Why two parts could not become one surface.
 enum class JoinFault {
-  DontMeet,  ///< their surfaces have no point in common
+  DontMeet,  ///< their surfaces have no point in common, or one lies within the other
   Unsolved,  ///< attached, one of them has no depth that can be trusted
   Unsound    ///< they have no sound union, or it lost a piece of what was drawn
 };
@@ -26,23 +21,23 @@ struct FailedJoin {
   JoinFault fault = JoinFault::Unsound;
 };
 
-/// Parts that became one surface.
-struct JoinedParts {
-  SurfaceUnion surface;
-  std::vector<Index> objects;  ///< in the order in which they were joined
-};
-
 struct PartJoining {
-  std::vector<JoinedParts> groups;
+  std::vector<Shell> groups;       ///< of at least two parts each; they must be checked all the same
   std::vector<FailedJoin> failed;  ///< each pair once, ascending; none: all parts are in `groups`
 };
 
 /// Joins parts that are attached to each other, the largest first and then always the largest that is attached to what
 /// is already joined. A pair that can't be joined is left out and told; its parts may still be joined to others.
-/// @param parts of one or more objects each once; those in no pair are left out
-/// @param pairs of the parts' objects
-/// At most two unions per pair. @throws Cancelled
-PartJoining join_parts(std::span<const UnionPart> parts, std::span<const ObjectPair> pairs, double sliver,
+///
+/// Exact predicates; new points are rounded to doubles. Slivers along the seams are removed after each part, which
+/// moves the seams by no more than the length given: a later part that crosses a seam of slivers would find that they
+/// cut one another, and so would a file that rounds to its digits.
+/// @param parts  of different single objects, closed, outward, free of self-intersections; those in no pair are left
+/// out
+/// @param pairs  of the parts' objects
+/// @param sliver seam edges shorter than this may go, sketch units
+/// At most two unions per pair, each O(n log n) in practice. @throws Cancelled
+PartJoining join_parts(std::span<const Shell* const> parts, std::span<const ObjectPair> pairs, double sliver,
                        Progress& progress);
 
 }  // namespace croquis::silhouette

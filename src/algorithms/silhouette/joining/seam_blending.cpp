@@ -15,6 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "algorithms/silhouette/joining/union_surface.h"
+#include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -24,7 +25,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Band = UnionSurface;
 using BandFace = Band::Face_index;
 using BandVertex = Band::Vertex_index;
-using Radii = std::map<std::pair<Index, Index>, double>;
+using Radii = std::map<ObjectPair, double>;
 
 // Of a band's half width.
 constexpr double edge_share = 0.2;        // length of its edges
@@ -36,112 +37,58 @@ constexpr int remeshing_rounds = 2;
 constexpr int fairing_rounds = 3;  // weights follow the shape; later rounds change little
 constexpr double least_weight = 0.02;
 
-Band to_band(const SurfaceUnion& joined) {
-  Band band;
-  for (const Vec3& p : joined.mesh.positions) band.add_vertex({p.x(), p.y(), p.z()});
-  FaceObjects objects = face_objects(band);
-  for (std::size_t f = 0; f < joined.mesh.face_count(); ++f) {
-    const auto corners = joined.mesh.face(f);
-    const BandFace face = band.add_face(BandVertex(corners[0]), BandVertex(corners[1]), BandVertex(corners[2]));
-    if (face == Band::null_face()) return {};
-    objects[face] = joined.face_objects[f];
-  }
-  return band;
-}
-
-/// An edge with the faces on both sides.
-struct FacedEdge {
-  Index low, high;
-  Index face;
-  auto operator<=>(const FacedEdge&) const = default;
-};
-
-/// Ascending by their vertices: the two faces of an edge follow one another.
-std::vector<FacedEdge> faced_edges(const PolyMesh& mesh) {
-  std::vector<FacedEdge> edges;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto corners = mesh.face(f);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      edges.push_back({low, high, f});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-double facing(const PolyMesh& mesh, Index face) {
-  const auto c = mesh.face(face);
-  const Vec2 a = mesh.positions[c[0]].head<2>();
-  return cross(mesh.positions[c[1]].head<2>() - a, mesh.positions[c[2]].head<2>() - a);
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Seams, outlines and distances of one surface.
-class SeamBand {
- public:
-  SeamBand(const SurfaceUnion& joined, const Radii& radii)
-      : mesh_(joined.mesh), share_(mesh_.vertex_count(), infinity) {
-    const std::vector<FacedEdge> edges = faced_edges(mesh_);
-    neighbours_.resize(mesh_.vertex_count());
-    std::vector<double> radius(mesh_.vertex_count(), 0);
-    for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
-      const auto& [low, high, face] = edges[e];
-      const Index other = edges[e + 1].face;
-      neighbours_[low].push_back(high);
-      neighbours_[high].push_back(low);
-      const std::pair<Index, Index> pair = std::minmax(joined.face_objects[face], joined.face_objects[other]);
-      if (pair.first == pair.second) {
-        if ((facing(mesh_, face) > 0) != (facing(mesh_, other) > 0)) {
-          rim_edges_.push_back({low, high});
-        }
-        continue;
-      }
-      const auto found = radii.find(pair);
-      if (found == radii.end()) continue;
-      for (const Index v : {low, high}) radius[v] = std::max(radius[v], found->second);
-    }
-    spread(radius);
-  }
-
-  bool empty() const { return least_radius_ == infinity; }
-  double least_radius() const { return least_radius_; }
-
-  /// Where a part turns from front to back.
-  const std::vector<std::array<Index, 2>>& rim_edges() const { return rim_edges_; }
-
-  /// Per vertex the distance from the nearest seam over its radius; infinity: far off.
-  const std::vector<double>& share() const { return share_; }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
- private:
-  /// Shortest ways along edges, in parts of the radius of the seam that they lead to.
-  void spread(const std::vector<double>& radius) {
-    using Reached = std::tuple<double, Index, double>;  // share, vertex, radius
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-    for (Index v = 0; v < radius.size(); ++v) {
-      if (radius[v] <= 0) continue;
-      queue.emplace(0.0, v, radius[v]);
-      least_radius_ = std::min(least_radius_, radius[v]);
-    }
-    while (!queue.empty()) {
-      const auto [at, v, own] = queue.top();
-      queue.pop();
-      if (at >= share_[v]) continue;
-      share_[v] = at;
-      for (const Index next : neighbours_[v]) {
-        const double there = at + (mesh_.positions[next] - mesh_.positions[v]).norm() / own;
-        if (there < share_[next] && there <= transition_share) queue.emplace(there, next, own);
-      }
-    }
-  }
-
-  const PolyMesh& mesh_;
-  std::vector<std::vector<Index>> neighbours_;
-  double least_radius_ = infinity;
-  std::vector<std::array<Index, 2>> rim_edges_;
-  std::vector<double> share_;
+struct SeamBand {
+  double least_radius = infinity;                 ///< infinity: there is nothing to round
+  std::vector<std::array<Index, 2>> rim_edges{};  ///< where a part turns from front to back
+  /// Per vertex the distance from the nearest seam, the shortest way along edges, over its radius; infinity: far off.
+  std::vector<double> share{};
 };
+
+/// @param radius per vertex that of the seam that it lies on, or 0
+void measure_shares(const PolyMesh& mesh, const MeshTopology& topology, const std::vector<double>& radius,
+                    SeamBand& band) {
+  using Reached = std::tuple<double, Index, double>;  // share, vertex, radius
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+  for (Index v = 0; v < radius.size(); ++v) {
+    if (radius[v] <= 0) continue;
+    queue.emplace(0.0, v, radius[v]);
+    band.least_radius = std::min(band.least_radius, radius[v]);
+  }
+  band.share.assign(radius.size(), infinity);
+  while (!queue.empty()) {
+    const auto [at, v, own] = queue.top();
+    queue.pop();
+    if (at >= band.share[v]) continue;
+    band.share[v] = at;
+    for (const Index corner : topology.vertex_corners(v)) {
+      const Index next = topology.vertex(topology.next(corner));
+      const double there = at + (mesh.positions[next] - mesh.positions[v]).norm() / own;
+      if (there < band.share[next] && there <= transition_share) queue.emplace(there, next, own);
+    }
+  }
+}
+
+SeamBand seam_band(const Shell& joined, const Radii& radii) {
+  SeamBand band;
+  const MeshTopology topology(joined.mesh);
+  std::vector<double> radius(joined.mesh.vertex_count(), 0);
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    const std::span<const Index> corners = topology.edge_corners(edge);
+    const Index face = topology.face(corners.front()), other = topology.face(corners.back());
+    const ObjectPair pair = std::minmax(joined.object_of(face), joined.object_of(other));
+    if (pair.first == pair.second) {
+      const bool turns = (seen_area(joined.mesh, face) > 0) != (seen_area(joined.mesh, other) > 0);
+      if (turns) band.rim_edges.push_back(topology.edge_vertices(edge));
+    } else if (const auto found = radii.find(pair); found != radii.end()) {
+      for (const Index v : topology.edge_vertices(edge)) radius[v] = std::max(radius[v], found->second);
+    }
+  }
+  measure_shares(joined.mesh, topology, radius, band);
+  return band;
+}
 
 /// How far and how finely a band is triangulated anew.
 struct Remeshing {
@@ -151,17 +98,17 @@ struct Remeshing {
 };
 
 /// Even triangles beside seams; seams and outlines stay lines of edges.
-std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand& seams, const Remeshing& wanted) {
-  Band band = to_band(joined);
+std::optional<Shell> remeshed(const Shell& joined, const SeamBand& seams, const Remeshing& wanted) {
+  Band band = to_surface(joined);
   if (band.number_of_faces() != joined.mesh.face_count()) return std::nullopt;
   auto fixed = band.add_property_map<Band::Edge_index, bool>("e:fixed", false).first;
-  for (const auto& [a, b] : seams.rim_edges()) {
+  for (const auto& [a, b] : seams.rim_edges) {
     fixed[band.edge(band.halfedge(BandVertex(a), BandVertex(b)))] = true;
   }
   std::vector<BandFace> faces;
   for (const BandFace face : band.faces()) {
     bool near = false;
-    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) near |= seams.share()[v] <= wanted.share;
+    for (const BandVertex v : band.vertices_around_face(band.halfedge(face))) near |= seams.share[v] <= wanted.share;
     if (near) faces.push_back(face);
   }
   const auto objects = band.property_map<BandFace, Index>("f:object").first;
@@ -172,7 +119,7 @@ std::optional<SurfaceUnion> remeshed(const SurfaceUnion& joined, const SeamBand&
   } catch (const std::exception&) {  // a failed precondition of the library
     return std::nullopt;
   }
-  return from_surface(band);
+  return from_surface(band, joined.objects);
 }
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -211,86 +158,50 @@ Sparse laplacian_rows(const PolyMesh& mesh, const std::vector<std::uint8_t>& mov
   return scale.asDiagonal() * rows;
 }
 
-/// Moves free vertices to where the squares of rows are least; the pattern of the rows stays the same.
-class Fairing {
- public:
-  /// @param moves per vertex
-  explicit Fairing(const std::vector<std::uint8_t>& moves) : number_(moves.size(), -1) {
-    for (Index v = 0; v < moves.size(); ++v) {
-      if (!moves[v]) continue;
-      number_[v] = static_cast<Eigen::Index>(free_.size());
-      free_.push_back(v);
-    }
-  }
-
-  /// @return false if the least isn't unique
-  bool minimise(const Sparse& rows, PolyMesh& mesh) {
-    if (free_.empty()) return true;
-    const Sparse own = own_columns(rows);
-    const Sparse normal = own.transpose() * own;
-    if (!analysed_) factors_.analyzePattern(normal);
-    analysed_ = true;
-    factors_.factorize(normal);
-    if (factors_.info() != Eigen::Success) return false;
-    for (const int coordinate : {0, 1, 2}) {
-      Eigen::VectorXd held = Eigen::VectorXd::Zero(rows.cols());
-      for (Index v = 0; v < number_.size(); ++v) {
-        if (number_[v] < 0) held[v] = mesh.positions[v][coordinate];
-      }
-      const Eigen::VectorXd found = factors_.solve(-(own.transpose() * (rows * held)));
-      if (!found.allFinite()) return false;
-      for (std::size_t i = 0; i < free_.size(); ++i) {
-        mesh.positions[free_[i]][coordinate] = found[static_cast<Eigen::Index>(i)];
-      }
-    }
-    return true;
-  }
-
- private:
-  /// Those of free vertices.
-  Sparse own_columns(const Sparse& rows) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const Index v : free_) {
-      for (Sparse::InnerIterator entry(rows, v); entry; ++entry) {
-        entries.emplace_back(entry.row(), number_[v], entry.value());
-      }
-    }
-    Sparse own(rows.rows(), static_cast<Eigen::Index>(free_.size()));
-    own.setFromTriplets(entries.begin(), entries.end());
-    return own;
-  }
-
-  std::vector<Index> free_;
-  std::vector<Eigen::Index> number_;  ///< per vertex, of the free ones
-  Eigen::SimplicialLDLT<Sparse> factors_;
-  bool analysed_ = false;
-};
-
+/// Moves the vertices beside seams to where the squares of the Laplacian's rows are least. @return false if that isn't
+/// unique
 bool fair(const SeamBand& seams, PolyMesh& mesh) {
+  const auto count = static_cast<Eigen::Index>(mesh.vertex_count());
   std::vector<std::uint8_t> moves(mesh.vertex_count(), 0);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) moves[v] = seams.share()[v] < 1 ? 1 : 0;
-  Fairing fairing(moves);
+  std::vector<Eigen::Index> moving;
+  for (Index v = 0; v < moves.size(); ++v) {
+    if (!(seams.share[v] < 1)) continue;
+    moves[v] = 1;
+    moving.push_back(v);
+  }
+  if (moving.empty()) return true;
+  Sparse choose(count, static_cast<Eigen::Index>(moving.size()));
+  choose.reserve(Eigen::VectorXi::Ones(choose.cols()));
+  for (Eigen::Index i = 0; i < choose.cols(); ++i) choose.insert(moving[static_cast<std::size_t>(i)], i) = 1;
+  Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic>> places(mesh.positions.front().data(), 3, count);
+  Eigen::SimplicialLDLT<Sparse> factors;
   for (int round = 0; round < fairing_rounds; ++round) {
-    if (!fairing.minimise(laplacian_rows(mesh, moves), mesh)) return false;
+    const Sparse rows = laplacian_rows(mesh, moves);
+    const Sparse own = rows * choose;
+    const Sparse normal = own.transpose() * own;
+    if (round == 0) factors.analyzePattern(normal);  // it stays the same
+    factors.factorize(normal);
+    if (factors.info() != Eigen::Success) return false;
+    Eigen::MatrixXd held = places.transpose();
+    for (const Eigen::Index v : moving) held.row(v).setZero();
+    const Eigen::MatrixXd found = factors.solve(-(own.transpose() * (rows * held)));
+    if (!found.allFinite()) return false;
+    places(Eigen::all, moving) = found.transpose();
   }
   return true;
 }
 
 }  // namespace
 
-std::optional<SurfaceUnion> blend_seams(const SurfaceUnion& joined,
-                                        const std::map<std::pair<Index, Index>, double>& radii, double finest) {
-  const SeamBand sharp(joined, radii);
-  if (sharp.empty()) return std::nullopt;
-  const double edge = std::max(edge_share * sharp.least_radius(), finest);
-  const std::optional<SurfaceUnion> coarse =
+std::optional<Shell> blend_seams(const Shell& joined, const Radii& radii, double finest) {
+  const SeamBand sharp = seam_band(joined, radii);
+  if (sharp.least_radius == infinity) return std::nullopt;
+  const double edge = std::max(edge_share * sharp.least_radius, finest);
+  const std::optional<Shell> coarse =
       remeshed(joined, sharp, {transition_share, transition_factor * edge, transition_rounds});
   if (!coarse) return std::nullopt;
-  std::optional<SurfaceUnion> blended =
-      remeshed(*coarse, SeamBand(*coarse, radii), {remeshed_share, edge, remeshing_rounds});
-  if (!blended) return std::nullopt;
-  const SeamBand seams(*blended, radii);
-  if (!fair(seams, blended->mesh)) return std::nullopt;
+  std::optional<Shell> blended = remeshed(*coarse, seam_band(*coarse, radii), {remeshed_share, edge, remeshing_rounds});
+  if (!blended || !fair(seam_band(*blended, radii), blended->mesh)) return std::nullopt;
   return blended;
 }
 

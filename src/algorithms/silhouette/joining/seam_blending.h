@@ -3,9 +3,8 @@
 
 #include <map>
 #include <optional>
-#include <utility>
 
-#include "algorithms/silhouette/joining/surface_union.h"
+#include "algorithms/silhouette/surface/shell.h"
 
 namespace croquis::silhouette {
 
@@ -17,7 +16,6 @@ namespace croquis::silhouette {
 /// @return none where there is nothing to round or the band can't be triangulated; what is returned must be checked for
 ///         intersections
 /// O(n log n) in the vertices of the bands, O(n) in the others.
-std::optional<SurfaceUnion> blend_seams(const SurfaceUnion& joined,
-                                        const std::map<std::pair<Index, Index>, double>& radii, double finest);
+std::optional<Shell> blend_seams(const Shell& joined, const std::map<ObjectPair, double>& radii, double finest);
 
 }  // namespace croquis::silhouette

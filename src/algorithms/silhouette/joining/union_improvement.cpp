@@ -50,8 +50,8 @@ struct FeatureLine {
 
 class UnionImprover {
  public:
-  UnionImprover(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept)
-      : mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
+  UnionImprover(const Shell& joined, const std::vector<std::uint8_t>& kept)
+      : joined_(joined), mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
 
   ImprovedUnion run(Progress& progress) {
     for (Index t = 0; t < mesh_.size(); ++t) wait_if_slender(t);
@@ -62,7 +62,7 @@ class UnionImprover {
       waits_[t] = 0;
       if (!mesh_.is_dead(t) && sharpness(mesh_.corners(t)) >= sharp_corner) mend(t);
     }
-    ImprovedUnion improved;
+    ImprovedUnion improved{joined_, {}, {}};
     improved.changed = mesh_.write(improved.surface);
     improved.vertices = mesh_.written_vertices();
     return improved;
@@ -307,6 +307,7 @@ class UnionImprover {
     return least;
   }
 
+  const Shell& joined_;
   UnionTriangles mesh_;
   const std::vector<std::uint8_t>& kept_;
   std::vector<Index> waiting_;       ///< slender triangles, in the order in which they became so
@@ -318,7 +319,7 @@ class UnionImprover {
 
 }  // namespace
 
-ImprovedUnion improve_union(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept, Progress& progress) {
+ImprovedUnion improve_union(const Shell& joined, const std::vector<std::uint8_t>& kept, Progress& progress) {
   return UnionImprover(joined, kept).run(progress);
 }
 

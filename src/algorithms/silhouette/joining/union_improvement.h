@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/silhouette/joining/surface_union.h"
+#include "algorithms/silhouette/surface/shell.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::silhouette {
 
 struct ImprovedUnion {
-  SurfaceUnion surface;
+  Shell surface;
   std::vector<Index> changed;   ///< ascending, faces that aren't those of the surface given
   std::vector<Index> vertices;  ///< per vertex the one of the surface given
 };
@@ -21,6 +21,6 @@ struct ImprovedUnion {
 /// faces the viewer still does. Only what lies beside a triangle is looked at: that nothing meets has to be checked.
 /// @param kept per vertex, triangles there stay as they are
 /// O(n) in practice.
-ImprovedUnion improve_union(const SurfaceUnion& joined, const std::vector<std::uint8_t>& kept, Progress& progress);
+ImprovedUnion improve_union(const Shell& joined, const std::vector<std::uint8_t>& kept, Progress& progress);
 
 }  // namespace croquis::silhouette

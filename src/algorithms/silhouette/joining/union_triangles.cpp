@@ -4,21 +4,11 @@
 #include <algorithm>
 
 namespace croquis::silhouette {
-namespace {
-
-bool faces_viewer(const PolyMesh& mesh, Index face) {
-  const auto c = mesh.face(face);
-  const Vec2 a = mesh.positions[c[0]].head<2>();
-  return cross(mesh.positions[c[1]].head<2>() - a, mesh.positions[c[2]].head<2>() - a) > 0;
-}
-
-}  // namespace
-
-UnionTriangles::UnionTriangles(const SurfaceUnion& joined)
+UnionTriangles::UnionTriangles(const Shell& joined)
     : positions_(joined.mesh.positions), changed_(joined.mesh.face_count(), 0), stars_(joined.mesh.vertex_count()) {
   for (Index f = 0; f < joined.mesh.face_count(); ++f) {
     const auto c = joined.mesh.face(f);
-    triangles_.push_back({{c[0], c[1], c[2]}, 2 * joined.face_objects[f] + (faces_viewer(joined.mesh, f) ? 1 : 0)});
+    triangles_.push_back({{c[0], c[1], c[2]}, 2 * joined.face_objects[f] + (seen_area(joined.mesh, f) > 0 ? 1 : 0)});
     for (const Index v : c) stars_[v].push_back(f);
   }
 }
@@ -73,9 +63,9 @@ std::vector<Index> UnionTriangles::written_vertices() const {
   return used;
 }
 
-std::vector<Index> UnionTriangles::write(SurfaceUnion& joined) const {
+std::vector<Index> UnionTriangles::write(Shell& joined) const {
   std::vector<Index> number(positions_.size(), no_index);
-  SurfaceUnion written;
+  Shell written{{}, joined.objects, {}, joined.euler, joined.blends};
   for (const Index v : written_vertices()) {
     number[v] = static_cast<Index>(written.mesh.positions.size());
     written.mesh.positions.push_back(positions_[v]);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/silhouette/joining/surface_union.h"
+#include "algorithms/silhouette/surface/shell.h"
 
 namespace croquis::silhouette {
 
@@ -35,7 +35,7 @@ struct Exchange {
 /// A closed surface whose triangles can be replaced, a few at a time.
 class UnionTriangles {
  public:
-  explicit UnionTriangles(const SurfaceUnion& joined);
+  explicit UnionTriangles(const Shell& joined);
 
   std::size_t size() const { return triangles_.size(); }
   bool is_dead(Index t) const { return triangles_[t].corners[0] == no_index; }
@@ -62,7 +62,7 @@ class UnionTriangles {
   std::vector<Index> apply(const Exchange& exchange);
 
   /// Writes the surface back. @return ascending, the faces that are new or have a vertex that moved
-  std::vector<Index> write(SurfaceUnion& joined) const;
+  std::vector<Index> write(Shell& joined) const;
 
   /// Of the surface that was written, per vertex the one of the surface given.
   std::vector<Index> written_vertices() const;

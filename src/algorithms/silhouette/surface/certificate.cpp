@@ -14,28 +14,10 @@ namespace {
 
 constexpr double grid = 0.01;  // u: two digits after the point at the usual 1000 units
 
-std::string topology_fault(const MeshReport& figures, const std::optional<int>& euler_region) {
-  if (!figures.closed) return "is not closed";
-  if (figures.nonmanifold_edges > 0 || figures.nonmanifold_vertices > 0) return "is not a manifold";
-  if (!figures.oriented || !figures.volume || *figures.volume <= 0) return "is not oriented outwards";
-  if (figures.degenerate_faces > 0) return "has faces without area";
-  if (euler_region && figures.euler_characteristic != 2 * *euler_region) {
-    return "has Euler number " + std::to_string(figures.euler_characteristic) + " where the drawing has " +
-           std::to_string(2 * *euler_region);
-  }
-  return {};
-}
-
-bool triangles_keep_sense(const SheetSampling& sampling, Rounding rounding, double unit) {
-  std::vector<Vec2> points;
-  points.reserve(sampling.points.size());
-  for (const Vec2& p : sampling.points) {
-    points.emplace_back(rounded(p.x(), rounding, unit), rounded(p.y(), rounding, unit));
-  }
-  const auto keeps = [&](const std::array<Index, 3>& t) {
-    return orientation(points[t[0]], points[t[1]], points[t[2]]) > 0;
-  };
-  return std::all_of(sampling.planar.triangles.begin(), sampling.planar.triangles.end(), keeps);
+std::vector<Vec2> rounded_points(const std::vector<Vec2>& points, Rounding rounding, double unit) {
+  std::vector<Vec2> result;
+  for (const Vec2& p : points) result.emplace_back(rounded(p.x(), rounding, unit), rounded(p.y(), rounding, unit));
+  return result;
 }
 
 /// A place that is rounded may come under a neighbour, which is steeper.
@@ -51,34 +33,6 @@ double slope_of(const SheetMesh& mesh, std::size_t triangle, const Height& heigh
   return rise.norm() / std::abs(cross(p, q));
 }
 
-/// Several meshes as one, rounded.
-struct RoundedMeshes {
-  RoundedMeshes(std::span<const CertificateInput> meshes, Rounding rounding, double unit) {
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-      const PolyMesh& mesh = *meshes[m].mesh;
-      const auto first = static_cast<Index>(all.positions.size());
-      for (const Vec3& p : mesh.positions) {
-        all.positions.push_back(p.unaryExpr([&](double value) { return rounded(value, rounding, unit); }));
-      }
-      const auto first_corner = static_cast<Index>(all.corners.size());
-      for (const Index corner : mesh.corners) all.corners.push_back(first + corner);
-      for (Index f = 0; f < mesh.face_count(); ++f) {
-        all.face_offsets.push_back(first_corner + mesh.face_offsets[f + 1]);
-        origin.push_back({m, f});
-      }
-    }
-  }
-
-  std::vector<std::array<MeshFace, 2>> pairs(const SelfIntersections& found) const {
-    std::vector<std::array<MeshFace, 2>> meeting;
-    for (const auto& [a, b] : found.pairs) meeting.push_back({origin[a], origin[b]});
-    return meeting;
-  }
-
-  PolyMesh all;
-  std::vector<MeshFace> origin;  ///< per face of all
-};
-
 }  // namespace
 
 double rounded(double value, Rounding rounding, double unit) {
@@ -91,8 +45,8 @@ double rounded(double value, Rounding rounding, double unit) {
 }
 
 bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double unit) {
-  const auto front = [&](Index v) { return rounded(sheets.z[v] + sheets.thickness[v], rounding, unit); };
-  const auto back = [&](Index v) { return rounded(sheets.z[v] - sheets.thickness[v], rounding, unit); };
+  const auto front = [&](Index v) { return rounded(sheets.front(v), rounding, unit); };
+  const auto back = [&](Index v) { return rounded(sheets.back(v), rounding, unit); };
   const std::vector<std::uint8_t>& on_boundary = sheets.sampling.lifted.on_boundary;
   for (Index v = 0; v < on_boundary.size(); ++v) {
     const bool apart = front(v) > back(v);
@@ -101,16 +55,19 @@ bool sheets_in_order(const InflatedSheets& sheets, Rounding rounding, double uni
   const auto in_order = [&](const StackedPair& pair) {
     return pair.attached() || back(pair.upper) > front(pair.lower);
   };
-  return std::all_of(sheets.pairs.begin(), sheets.pairs.end(), in_order) &&
-         triangles_keep_sense(sheets.sampling, rounding, unit);
+  const std::vector<Vec2> points = rounded_points(sheets.sampling.points, rounding, unit);
+  const auto keeps_sense = [&](const std::array<Index, 3>& t) {
+    return orientation(points[t[0]], points[t[1]], points[t[2]]) > 0;
+  };
+  return std::ranges::all_of(sheets.pairs, in_order) &&
+         std::ranges::all_of(sheets.sampling.planar.triangles, keeps_sense);
 }
 
 bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit) {
   const auto moved = [&](double value) { return rounded(value, rounding, unit); };
-  std::vector<Vec2> places;
-  for (const Vec2& p : mesh.place) places.emplace_back(moved(p.x()), moved(p.y()));
-  const auto front = [&](Index v) { return mesh.z[v] + mesh.thickness[v]; };
-  const auto back = [&](Index v) { return mesh.z[v] - mesh.thickness[v]; };
+  const std::vector<Vec2> places = rounded_points(mesh.place, rounding, unit);
+  const auto front = [&](Index v) { return mesh.front(v); };
+  const auto back = [&](Index v) { return mesh.back(v); };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (orientation(places[a], places[b], places[c]) <= 0) return false;
@@ -131,45 +88,43 @@ bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit) {
 double least_gap(const InflatedSheets& sheets) {
   double least = std::numeric_limits<double>::infinity();
   for (const StackedPair& pair : sheets.pairs) {
-    if (pair.attached()) continue;
-    const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
-    least = std::min(least, back - (sheets.z[pair.lower] + sheets.thickness[pair.lower]));
+    if (!pair.attached()) least = std::min(least, sheets.back(pair.upper) - sheets.front(pair.lower));
   }
   return least;
 }
 
-std::vector<std::string> certify_topology(std::span<const CertificateInput> meshes, Progress& progress) {
-  std::vector<std::string> faults;
-  for (const CertificateInput& input : meshes) {
-    faults.push_back(topology_fault(inspect(*input.mesh, false, progress), input.euler_region));
+std::string topology_fault(const PolyMesh& mesh, const std::optional<int>& euler_region, Progress& progress) {
+  const MeshReport figures = inspect(mesh, false, progress);
+  if (!figures.closed) return "is not closed";
+  if (figures.nonmanifold_edges > 0 || figures.nonmanifold_vertices > 0) return "is not a manifold";
+  if (!figures.oriented || !figures.volume || *figures.volume <= 0) return "is not oriented outwards";
+  if (figures.degenerate_faces > 0) return "has faces without area";
+  if (euler_region && figures.euler_characteristic != 2 * *euler_region) {
+    return "has Euler number " + std::to_string(figures.euler_characteristic) + " where the drawing has " +
+           std::to_string(2 * *euler_region);
   }
-  return faults;
+  return {};
 }
 
-std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
-                                                   double unit, Progress& progress) {
-  const RoundedMeshes rounded(meshes, rounding, unit);
-  return rounded.pairs(find_self_intersections(rounded.all, progress));
-}
-
-std::vector<std::array<MeshFace, 2>> meeting_faces_of(std::span<const CertificateInput> meshes, std::size_t mesh,
-                                                      std::span<const Index> faces, Rounding rounding, double unit,
-                                                      Progress& progress) {
-  const RoundedMeshes rounded(meshes, rounding, unit);
-  Index first = 0;
-  for (std::size_t m = 0; m < mesh; ++m) first += static_cast<Index>(meshes[m].mesh->face_count());
-  std::vector<Index> chosen(faces.begin(), faces.end());
-  for (Index& face : chosen) face += first;
-  return rounded.pairs(find_intersections_of(rounded.all, chosen, progress));
-}
-
-void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
-                   std::vector<std::string>& faults, Progress& progress) {
-  for (const auto& pair : meeting_faces(meshes, rounding, unit, progress)) {
-    for (const MeshFace& place : pair) {
-      if (faults[place.mesh].empty()) faults[place.mesh] = "intersects itself or another one";
+std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const PolyMesh* const> meshes, Rounding rounding,
+                                                   double unit, Progress& progress,
+                                                   const std::optional<MeshFaces>& among) {
+  PolyMesh all;
+  std::vector<MeshFace> origin;  // per face of all
+  std::vector<Index> chosen;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    if (among && among->mesh == m) {
+      for (const Index face : among->faces) chosen.push_back(static_cast<Index>(origin.size()) + face);
     }
+    append_triangles(*meshes[m], all);
+    for (Index face = 0; face < meshes[m]->face_count(); ++face) origin.push_back({m, face});
   }
+  for (Vec3& p : all.positions) p = p.unaryExpr([&](double value) { return rounded(value, rounding, unit); });
+  const SelfIntersections found =
+      among ? find_intersections_of(all, chosen, progress) : find_self_intersections(all, progress);
+  std::vector<std::array<MeshFace, 2>> meeting;
+  for (const auto& [a, b] : found.pairs) meeting.push_back({origin[a], origin[b]});
+  return meeting;
 }
 
 }  // namespace croquis::silhouette

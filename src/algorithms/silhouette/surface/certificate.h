@@ -37,15 +37,10 @@ bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit);
 /// and so over all of it; infinity when none overlap.
 double least_gap(const InflatedSheets& sheets);
 
-/// A mesh that should be a closed solid, and the Euler number of the region that it doubles, if it doubles one.
-struct CertificateInput {
-  const PolyMesh* mesh = nullptr;
-  std::optional<int> euler_region;
-};
-
-/// For each mesh what is wrong with it, empty for nothing: closed, manifold, oriented outwards, without degenerate
-/// faces, Euler number twice its region's. Any mesh may be given, also one that was smoothed or remeshed.
-std::vector<std::string> certify_topology(std::span<const CertificateInput> meshes, Progress& progress);
+/// What is wrong with a mesh, empty for nothing: closed, manifold, oriented outwards, without degenerate faces, Euler
+/// number twice that of the region that it doubles, if it doubles one. Any mesh may be given, also one that was
+/// smoothed or remeshed.
+std::string topology_fault(const PolyMesh& mesh, const std::optional<int>& euler_region, Progress& progress);
 
 /// A face of one of several meshes.
 struct MeshFace {
@@ -53,18 +48,16 @@ struct MeshFace {
   Index face = 0;
 };
 
+/// Some faces of one of several meshes, ascending.
+struct MeshFaces {
+  std::size_t mesh = 0;
+  std::span<const Index> faces;
+};
+
 /// Pairs of faces that meet after rounding, within one mesh or of two; the first of them where they are many.
-std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const CertificateInput> meshes, Rounding rounding,
-                                                   double unit, Progress& progress);
-
-/// The same, but only of pairs with at least one of these faces of one of the meshes.
-/// @param faces ascending
-std::vector<std::array<MeshFace, 2>> meeting_faces_of(std::span<const CertificateInput> meshes, std::size_t mesh,
-                                                      std::span<const Index> faces, Rounding rounding, double unit,
-                                                      Progress& progress);
-
-/// Adds to `faults` the meshes that intersect themselves or each other after rounding.
-void certify_apart(std::span<const CertificateInput> meshes, Rounding rounding, double unit,
-                   std::vector<std::string>& faults, Progress& progress);
+/// @param among where given only pairs with at least one of these
+std::vector<std::array<MeshFace, 2>> meeting_faces(std::span<const PolyMesh* const> meshes, Rounding rounding,
+                                                   double unit, Progress& progress,
+                                                   const std::optional<MeshFaces>& among = std::nullopt);
 
 }  // namespace croquis::silhouette

@@ -8,7 +8,8 @@
 #include "algorithms/silhouette/sampling/rim_distance.h"
 #include "algorithms/silhouette/sampling/rim_radius.h"
 #include "algorithms/silhouette/stage.h"
-#include "algorithms/silhouette/surface/sheet_surface.h"
+#include "croquis/base/error.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -54,6 +55,32 @@ SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skelet
   }
   return {std::move(sheets),  std::move(nodes),          std::move(op), std::move(extension), std::move(upright),
           std::move(objects), std::move(vertex_objects), figure.unit};
+}
+
+std::vector<Index> objects_of_triangles(const LabelledFigure& figure, const SheetSampling& sheets) {
+  const LiftedTriangulation& lifted = sheets.lifted;
+  DisjointSets components(lifted.triangles.size());
+  for (Index m = 0; m < lifted.triangles.size(); ++m) {
+    for (const Index next : lifted.neighbours[m]) {
+      if (next != no_index) components.unite(m, next);
+    }
+  }
+  const std::vector<Index> component = components.take_roots();
+  std::vector<Index> objects(lifted.triangles.size(), no_index);
+  for (Index m = 0; m < objects.size(); ++m) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (lifted.neighbours[m][corner] != no_index) continue;
+      const Index piece = sheets.planar.constraints[lifted.planar_triangle[m]][corner];
+      const Index owner = figure.contours[sheets.pieces[piece].contour].object;
+      Index& object = objects[component[m]];
+      if (object != no_index && object != owner) {
+        throw Error(make_error(Category::Internal, "E_INTERNAL", "Contours of two objects bound one surface"));
+      }
+      object = owner;
+    }
+  }
+  for (Index m = 0; m < objects.size(); ++m) objects[m] = objects[component[m]];  // roots are the lowest
+  return objects;
 }
 
 double factored_thickness(const SheetBasis& basis, Eigen::Index vertex, double factor) {

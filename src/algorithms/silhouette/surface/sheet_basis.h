@@ -33,6 +33,10 @@ struct SheetBasis {
 SheetBasis make_sheet_basis(const LabelledFigure& figure, const Skeleton& skeleton, Quality quality,
                             std::span<const Index> thin, Progress& progress);
 
+/// The object that each lifted triangle belongs to.
+/// @throws Error (E_INTERNAL) when a component of the region is bounded by contours of two objects
+std::vector<Index> objects_of_triangles(const LabelledFigure& figure, const SheetSampling& sheets);
+
 /// u: what is left of a part's half thickness inside its rim, since files round to u / 100.
 constexpr double least_half_thickness = 0.03;
 

@@ -13,11 +13,10 @@ constexpr double attached_room = 0.25;
 std::vector<SheetRoom> room_of_vertices(const InflatedSheets& sheets) {
   std::vector<SheetRoom> room(sheets.sampling.lifted.planar_vertex.size());
   for (const StackedPair& pair : sheets.pairs) {
-    const double back = sheets.z[pair.upper] - sheets.thickness[pair.upper];
-    const double front = sheets.z[pair.lower] + sheets.thickness[pair.lower];
     const double gap = pair.resting ? sheets.resting_gap : sheets.gap;
-    const double covered = sheets.z[pair.upper] + sheets.thickness[pair.upper] - front;
-    const double half = std::max(pair.attached() ? covered * attached_room : (back - front - gap) / 2, 0.0);
+    const double covered = sheets.front(pair.upper) - sheets.front(pair.lower);
+    const double between = sheets.back(pair.upper) - sheets.front(pair.lower) - gap;
+    const double half = std::max(pair.attached() ? covered * attached_room : between / 2, 0.0);
     double& above = pair.attached() ? room[pair.upper].front : room[pair.upper].back;
     above = std::min(above, half);
     room[pair.lower].front = std::min(room[pair.lower].front, half);
@@ -38,12 +37,41 @@ SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>
   mesh.triangles = lifted.triangles;
   mesh.neighbours = lifted.neighbours;
   mesh.objects = objects;
-  const bool rests =
-      std::any_of(sheets.pairs.begin(), sheets.pairs.end(), [](const auto& pair) { return pair.resting; });
-  mesh.gap = rests ? sheets.resting_gap : sheets.gap;
+  mesh.gap = std::ranges::any_of(sheets.pairs, &StackedPair::resting) ? sheets.resting_gap : sheets.gap;
   const std::vector<SheetRoom> room = room_of_vertices(sheets);
   for (const auto& [a, b, c] : mesh.triangles) mesh.room.push_back(common_room(common_room(room[a], room[b]), room[c]));
   return mesh;
+}
+
+std::vector<Shell> object_surfaces(const LabelledFigure& figure, const SheetMesh& sheets) {
+  std::vector<Shell> surfaces(figure.objects.size());
+  for (Index object = 0; object < surfaces.size(); ++object) {
+    Shell& surface = surfaces[object];
+    surface.objects = {object};
+    std::array copies{std::vector<Index>(sheets.place.size(), no_index),
+                      std::vector<Index>(sheets.place.size(), no_index)};
+    // The number of a vertex' front or back; on the boundary they are the same.
+    const auto copy_of = [&](Index v, bool in_front) {
+      in_front |= sheets.on_boundary[v] != 0;
+      Index& copy = copies[in_front ? 0 : 1][v];
+      if (copy == no_index) {
+        copy = static_cast<Index>(surface.mesh.positions.size());
+        surface.mesh.positions.emplace_back(sheets.place[v].x(), sheets.place[v].y(),
+                                            in_front ? sheets.front(v) : sheets.back(v));
+      }
+      return copy;
+    };
+    for (const bool in_front : {true, false}) {
+      for (Index m = 0; m < sheets.triangles.size(); ++m) {
+        if (sheets.objects[m] != object) continue;
+        const auto [a, b, c] = sheets.triangles[m];
+        const auto [second, third] = in_front ? std::pair(b, c) : std::pair(c, b);
+        surface.mesh.add_triangle(copy_of(a, in_front), copy_of(second, in_front), copy_of(third, in_front));
+      }
+    }
+    surface.euler = closed_euler_number(surface.mesh);
+  }
+  return surfaces;
 }
 
 }  // namespace croquis::silhouette

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "algorithms/silhouette/surface/inflation.h"
+#include "algorithms/silhouette/surface/shell.h"
+#include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
 
@@ -36,6 +38,9 @@ struct SheetMesh {
   std::vector<Index> objects;                    ///< #M
   std::vector<SheetRoom> room;                   ///< #M, see below
   double gap = 0;                                ///< least distance that sheets keep, those of attached objects aside
+
+  double front(Index v) const { return z[v] + thickness[v]; }
+  double back(Index v) const { return z[v] - thickness[v]; }
 };
 
 /// The sheets with the triangles that they were solved with.
@@ -45,5 +50,9 @@ struct SheetMesh {
 /// their order.
 /// @param objects per lifted triangle
 SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>& objects);
+
+/// Doubles the region: front and back share the boundary vertices. One surface per object, in the figure's order; an
+/// object may have several components. Fronts come first; vertices in the order of the triangles.
+std::vector<Shell> object_surfaces(const LabelledFigure& figure, const SheetMesh& sheets);
 
 }  // namespace croquis::silhouette

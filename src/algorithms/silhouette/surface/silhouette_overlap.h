@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "croquis/geometry/poly_mesh.h"
@@ -22,12 +23,12 @@ struct Overlap {
   double ratio() const { return either > 0 ? both / either : 1; }
 };
 
-/// Areas of the intersection and the union of a mesh's projection along z and the region that outlines enclose (the
+/// Areas of the intersection and the union of the meshes' projection along z and the region that outlines enclose (the
 /// sum of their windings, each with its side, is positive).
 ///
 /// Exact along about 1500 lines y = constant over the outlines' diagonal, at an irrational offset. Between lines the
 /// outlines count as straight: the ratio's error is below perimeter * spacing^2 / (area * radius of curvature), in
 /// practice under 1e-4. O(faces + rims * lines per rim edge).
-Overlap silhouette_overlap(const PolyMesh& mesh, const std::vector<SidedOutline>& outlines);
+Overlap silhouette_overlap(std::span<const PolyMesh* const> meshes, const std::vector<SidedOutline>& outlines);
 
 }  // namespace croquis::silhouette
