@@ -6,25 +6,19 @@
 
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/solid_lines.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"
 #include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
-#include "algorithms/silhouette/surface/skeleton_curves.h"
 #include "silhouette/figure_fixtures.h"
+#include "silhouette/inflated_sheets.h"
 #include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
 
 namespace {
-
-InflatedSheets inflated(const LabelledFigure& figure) {
-  Progress progress;
-  Skeleton skeleton = chordal_axis(figure, 0.3, progress);
-  solve_depth(skeleton, figure, {}, progress);
-  return inflate_sheets(figure, skeleton, {}, progress);
-}
 
 constexpr Index straight_nodes = 40;
 
@@ -92,7 +86,7 @@ TEST_CASE("a bent limb is as high as the balls that its axis carries") {
 
 TEST_CASE("sheets keep their order and gap, and the proof of it notices when they don't") {
   for (const test::FigureFixture& fixture : {test::crossed_capsules_figure(), test::trefoil_figure()}) {
-    InflatedSheets sheets = inflated(fixture.figure);
+    InflatedSheets sheets = test::inflated_sheets(fixture.figure);
     for (const Rounding rounding : {Rounding::None, Rounding::Single, Rounding::Grid}) {
       CHECK(sheets_in_order(sheets, rounding, fixture.figure.unit));
     }
@@ -113,7 +107,7 @@ TEST_CASE("sheets keep their order and gap, and the proof of it notices when the
 
 TEST_CASE("each object's surface is apart from the others") {
   const test::FigureFixture fixture = test::linked_rings_figure();
-  const InflatedSheets sheets = inflated(fixture.figure);
+  const InflatedSheets sheets = test::inflated_sheets(fixture.figure);
   const SheetMesh mesh = make_sheet_mesh(sheets, objects_of_triangles(fixture.figure, sheets.sampling));
   const std::vector<Shell> surfaces = object_surfaces(fixture.figure, mesh);
   REQUIRE(surfaces.size() == 2);

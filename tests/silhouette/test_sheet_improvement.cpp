@@ -6,12 +6,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/sheet_improvement.h"
 #include "croquis/geometry/self_intersection.h"
 #include "silhouette/figure_fixtures.h"
+#include "silhouette/inflated_sheets.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 
@@ -27,9 +26,7 @@ struct Improved {
 
 Improved improved(const LabelledFigure& figure) {
   Progress progress;
-  Skeleton skeleton = chordal_axis(figure, 0.3, progress);
-  solve_depth(skeleton, figure, {}, progress);
-  const InflatedSheets sheets = inflate_sheets(figure, skeleton, {}, progress);
+  const InflatedSheets sheets = test::inflated_sheets(figure);
   Improved result;
   result.before = make_sheet_mesh(sheets, objects_of_triangles(figure, sheets.sampling));
   result.after = result.before;

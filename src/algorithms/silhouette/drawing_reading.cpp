@@ -56,13 +56,11 @@ void mark_whole_outlines(LabelledDrawing& labelled) {
   for (LabelledFigure& figure : labelled.figures) {
     for (FigureOverlap& overlap : figure.overlaps) {
       const auto bounds = [&](Index object, Index stroke) {
-        const std::vector<Index>& strokes = figure.objects[object].strokes;
-        return std::find(strokes.begin(), strokes.end(), stroke) != strokes.end();
+        return std::ranges::count(figure.objects[object].strokes, stroke) > 0;
       };
-      overlap.whole_outlines =
-          std::any_of(labelled.crossings.begin(), labelled.crossings.end(), [&](const CrossingInView& pair) {
-            return pair.whole && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
-          });
+      overlap.whole_outlines = std::ranges::any_of(labelled.crossings, [&](const CrossingInView& pair) {
+        return pair.whole && bounds(overlap.upper, pair.front) && bounds(overlap.lower, pair.behind);
+      });
     }
   }
 }
@@ -325,18 +323,17 @@ Findings left_out(const Material& material, const Reading& reading) {
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     if (reading.kinds[s] != LineKind::Ignored || material.sampled.strokes[s].told == StrokeKind::Ignored) continue;
     const Index stroke = material.sampled.strokes[s].stroke;
-    if (const Index first = material.connections.doubled[s]; first != no_index) {
+    std::vector<Subject> subjects{stroke_subject(material.drawing, stroke)};
+    std::string sentence = in_quotes(material.drawing, stroke) + " is no line of a solid and was left out";
+    const Index first = material.connections.doubled[s];
+    if (first != no_index) {
       const Index other = material.sampled.strokes[first].stroke;
-      findings.push_back(
-          make_warning(Category::Geometry, "W_DOUBLE",
-                       in_quotes(material.drawing, stroke) + " was drawn over " + in_quotes(material.drawing, other) +
-                           ": they are read as one line",
-                       {stroke_subject(material.drawing, stroke), stroke_subject(material.drawing, other)}));
-      continue;
+      subjects.push_back(stroke_subject(material.drawing, other));
+      sentence = in_quotes(material.drawing, stroke) + " was drawn over " + in_quotes(material.drawing, other) +
+                 ": they are read as one line";
     }
-    findings.push_back(make_warning(Category::Geometry, "W_LEFT_OUT",
-                                    in_quotes(material.drawing, stroke) + " is no line of a solid and was left out",
-                                    {stroke_subject(material.drawing, stroke)}));
+    const char* code = first == no_index ? "W_LEFT_OUT" : "W_DOUBLE";
+    findings.push_back(make_warning(Category::Geometry, code, sentence, std::move(subjects)));
   }
   return findings;
 }

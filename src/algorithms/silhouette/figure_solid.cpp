@@ -38,22 +38,22 @@ const char* sentence_of(JoinFault fault) {
          "further over one another";
 }
 
-Finding not_joined(const LabelledFigure& figure, const Drawing& drawing, const FailedJoin& failed) {
-  const FigureObject& a = figure.objects[failed.pair.first];
-  const FigureObject& b = figure.objects[failed.pair.second];
-  std::vector<Subject> subjects = object_subjects(a, drawing);
-  for (Subject& subject : object_subjects(b, drawing)) subjects.push_back(std::move(subject));
-  return make_warning(Category::Geometry, "W_ATTACH",
-                      "The attached objects \"" + a.name + "\" and \"" + b.name + "\"" + sentence_of(failed.fault),
-                      std::move(subjects));
-}
-
 /// A figure to be made solid.
 struct FigureTask {
   const LabelledFigure& figure;
   const Drawing& drawing;
   FigureSettings settings;  ///< attachments that failed are released
 };
+
+Finding not_joined(const FigureTask& task, const FailedJoin& failed) {
+  const FigureObject& a = task.figure.objects[failed.pair.first];
+  const FigureObject& b = task.figure.objects[failed.pair.second];
+  std::vector<Subject> subjects = object_subjects(a, task.drawing);
+  std::ranges::move(object_subjects(b, task.drawing), std::back_inserter(subjects));
+  return make_warning(Category::Geometry, "W_ATTACH",
+                      "The attached objects \"" + a.name + "\" and \"" + b.name + "\"" + sentence_of(failed.fault),
+                      std::move(subjects));
+}
 
 /// One solve of a figure with given attachments.
 struct SolvedFigure {
@@ -340,12 +340,12 @@ FigureSolid solidify(FigureTask task, Progress& progress) {
     std::vector<FailedJoin> failed = std::move(made.shells.failed);
     if (failed.empty()) {
       FigureSolid solid = figure_solid(task, std::move(solved), std::move(made));
-      solid.findings.insert(solid.findings.end(), warnings.begin(), warnings.end());
+      std::ranges::move(warnings, std::back_inserter(solid.findings));
       return solid;
     }
     if (round >= max_joining_rounds) failed = whole_groups(attachments, failed);
     for (const FailedJoin& join : failed) {
-      warnings.push_back(not_joined(task.figure, task.drawing, join));
+      warnings.push_back(not_joined(task, join));
       attachments.release(join.pair.first, join.pair.second);
     }
   }

@@ -15,6 +15,9 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// Only what is so much thinner than what it rests on is bent by it: a belly, not a head.
+constexpr double much_thicker = 1.5;
+
 /// In radii of the object that rests: what bends over a shorter length is smoothed.
 constexpr double bending_length = 0.3;
 
@@ -96,12 +99,6 @@ Eigen::ArrayXd evened(const SheetOperator& op, const ObjectSheet& sheet, Eigen::
     }
   }
   return values;
-}
-
-/// Only what is much thinner than what it rests on is bent by it: a belly, not a head.
-bool bends_over(const StackedPair& pair, const std::vector<Index>& objects, const std::vector<double>& radii) {
-  constexpr double much_thicker = 1.5;
-  return pair.resting && radii[objects[pair.lower]] >= much_thicker * radii[objects[pair.upper]];
 }
 
 /// Which objects are laid down, in that order.
@@ -216,15 +213,18 @@ Eigen::VectorXd moved_to(const Eigen::VectorXd& floor, const ObjectSheet& sheet,
 
 Draping drape_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                      const MidSurfaceData& data, InflatedSheets& sheets, Progress& progress) {
+  Draping draping{{}, Eigen::VectorXd::Zero(sheets.z.size())};
+  if (settings.attachments.resting_pairs().empty()) return draping;
   const std::vector<Index>& objects = basis.vertex_objects;
   const std::vector<double> radii = object_radii(skeleton);
-  Draping draping{{}, Eigen::VectorXd::Zero(sheets.z.size())};
   Eigen::VectorXd middle = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);
   for (const Index object : draping_order(objects, data.pairs, settings.attachments)) {
     progress.check();
     const ObjectSheet sheet = object_sheet(basis, object);
     const auto rests = [&](const StackedPair& pair) { return pair.resting && objects[pair.upper] == object; };
-    const auto bends = [&](const StackedPair& pair) { return rests(pair) && bends_over(pair, objects, radii); };
+    const auto bends = [&](const StackedPair& pair) {
+      return rests(pair) && radii[objects[pair.lower]] >= much_thicker * radii[object];
+    };
     middle(sheet.vertices) = std::ranges::any_of(data.pairs, bends)
                                  ? bent_to(floor_of(data, sheets, bends), basis.op, sheet, radii[object])
                                  : moved_to(floor_of(data, sheets, rests), sheet, sheets.z);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "algorithms/silhouette/sampling/rim_radius.h"
@@ -90,8 +89,8 @@ Eigen::VectorXd node_shifts(const Skeleton& skeleton, const MidSurfaceData& data
   return shifts;
 }
 
-MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basis, const std::vector<Index>& objects,
-                                const DepthSettings& settings) {
+MidSurfaceData mid_surface_data(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings) {
+  const std::vector<Index>& objects = basis.vertex_objects;
   MidSurfaceData data;
   data.nodes = basis.nodes;
   data.node_z.resize(static_cast<Eigen::Index>(skeleton.nodes.size()));
@@ -154,106 +153,34 @@ void make_hollows(double gap, InflatedSheets& sheets) {
   }
 }
 
-Eigen::VectorXd values_at(const std::vector<LiftedPlace>& places, const Eigen::VectorXd& values) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(places.size()));
-  for (std::size_t n = 0; n < places.size(); ++n) result[static_cast<Eigen::Index>(n)] = value_at(places[n], values);
-  return result;
-}
-
 bool is_negligible(const Eigen::VectorXd& changes) {
   return changes.size() == 0 || changes.lpNorm<Eigen::Infinity>() <= negligible;
 }
 
-/// Raises the sheets of one figure: flat parts first, then with the thickness of their tilt, then what rests laid down.
-class SheetRaiser {
- public:
-  SheetRaiser(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings)
-      : skeleton_(skeleton),
-        basis_(basis),
-        settings_(settings),
-        objects_(basis.vertex_objects),
-        data_(mid_surface_data(skeleton, basis, objects_, settings)) {
-    sheets_.sampling = basis.sampling;
-    sheets_.pairs = data_.pairs;
-    sheets_.gap = data_.gap / (1 + spare_gap);
-    sheets_.resting_gap = data_.resting_gap / (1 + spare_gap);
+/// Thickness per lifted vertex with the nodes' tilt.
+Eigen::VectorXd tilted_thickness(const SheetBasis& basis, const DepthSettings& settings, const Eigen::VectorXd& tilt) {
+  Eigen::VectorXd thickness = Eigen::VectorXd::Ones(basis.upright.size());
+  if (!is_negligible(tilt.array() - 1)) thickness = basis.extension.extend(tilt).cwiseMax(1);
+  for (Eigen::Index v = 0; v < thickness.size(); ++v) {
+    const double factor = settings.thickness_of(basis.vertex_objects[static_cast<std::size_t>(v)]);
+    thickness[v] = factored_thickness(basis, v, factor * thickness[v]);
   }
+  return thickness;
+}
 
-  /// Sheets as thick as the skeleton's own depths tell.
-  void raise(Progress& progress) {
-    tilt_ = swept_limbs(skeleton_, data_.node_z).tilt;
-    sheets_.thickness = tilted(tilt_);
-    data_.node_z += node_shifts(skeleton_, data_, objects_, sheets_.thickness, settings_, progress);
-    mid_surface_.emplace(basis_.op, data_);
-    solve(progress);
+/// The middle of sheets that are as thick as they are now.
+void solve_middle(const SheetBasis& basis, MidSurface& middle, InflatedSheets& sheets, Progress& progress) {
+  const MidSurfaceResult result = middle.solve(sheets.thickness, progress);
+  sheets.z = result.z;
+  sheets.iterations = std::max(sheets.iterations, result.iterations);
+  sheets.residual = std::max(sheets.residual, result.residual);
+  for (std::size_t v = 0; v < basis.vertex_objects.size(); ++v) {
+    const Index object = basis.vertex_objects[v];
+    if (object >= sheets.uncertainty.size()) sheets.uncertainty.resize(object + 1, 0);
+    double& most = sheets.uncertainty[object];
+    most = std::max(most, result.uncertainty[static_cast<Eigen::Index>(v)]);
   }
-
-  /// As thick as the depths tell that came of it. Where these are the same there is nothing to solve again.
-  void tilt(Progress& progress) {
-    const SweptLimbs limbs = swept_limbs(skeleton_, values_at(basis_.nodes, sheets_.z));
-    if (is_negligible(limbs.lift / skeleton_.scale) && is_negligible(limbs.tilt - tilt_)) return;
-    data_.node_z += limbs.lift;
-    mid_surface_->move_nodes(data_.node_z);
-    sheets_.thickness = tilted(limbs.tilt);
-    solve(progress);
-  }
-
-  /// Lays down what rests on others.
-  void drape(Progress& progress) {
-    if (settings_.attachments.resting_pairs().empty()) return;
-    const Draping draping = drape_sheets(skeleton_, basis_, settings_, data_, sheets_, progress);
-    if (draping.objects.empty()) return;
-    std::vector<Index> nodes;
-    for (Index n = 0; n < skeleton_.nodes.size(); ++n) {
-      if (std::binary_search(draping.objects.begin(), draping.objects.end(), skeleton_.nodes[n].object))
-        nodes.push_back(n);
-    }
-    for (const Index n : nodes) data_.node_z[n] = 0;
-    mid_surface_->move_nodes(data_.node_z);
-    mid_surface_->set_shape(draping.z);
-    solve(progress);
-    for (const Index n : nodes) sheets_.lowered_nodes.emplace_back(n, value_at(basis_.nodes[n], sheets_.z));
-  }
-
-  InflatedSheets take() {
-    if (!settings_.attachments.empty()) clear_coincidences(coincidence * basis_.unit, sheets_);
-    make_hollows(data_.resting_gap, sheets_);
-    return std::move(sheets_);
-  }
-
- private:
-  /// Thickness per lifted vertex with the nodes' tilt.
-  Eigen::VectorXd tilted(const Eigen::VectorXd& tilt) const {
-    Eigen::VectorXd thickness = Eigen::VectorXd::Ones(basis_.upright.size());
-    if (!is_negligible(tilt.array() - 1)) thickness = basis_.extension.extend(tilt).cwiseMax(1);
-    for (Eigen::Index v = 0; v < thickness.size(); ++v) {
-      const double factor = settings_.thickness_of(objects_[static_cast<std::size_t>(v)]);
-      thickness[v] = factored_thickness(basis_, v, factor * thickness[v]);
-    }
-    return thickness;
-  }
-
-  void solve(Progress& progress) {
-    const MidSurfaceResult result = mid_surface_->solve(sheets_.thickness, progress);
-    sheets_.z = result.z;
-    sheets_.iterations = std::max(sheets_.iterations, result.iterations);
-    sheets_.residual = std::max(sheets_.residual, result.residual);
-    for (std::size_t v = 0; v < objects_.size(); ++v) {
-      if (objects_[v] >= sheets_.uncertainty.size()) sheets_.uncertainty.resize(objects_[v] + 1, 0);
-      double& most = sheets_.uncertainty[objects_[v]];
-      most = std::max(most, result.uncertainty[static_cast<Eigen::Index>(v)]);
-    }
-  }
-
-  const Skeleton& skeleton_;
-  const SheetBasis& basis_;
-  const DepthSettings& settings_;
-  const std::vector<Index>& objects_;  ///< per lifted vertex
-  MidSurfaceData data_;
-  Eigen::VectorXd tilt_;  ///< per node, that the sheets were raised with
-  std::optional<MidSurface> mid_surface_;
-  InflatedSheets sheets_;
-};
+}
 
 }  // namespace
 
@@ -286,22 +213,48 @@ SweptLimbs swept_limbs(const Skeleton& skeleton, const Eigen::VectorXd& node_z) 
 
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress) {
-  Progress raising = progress.step("mid-surface", 0.6);
-  SheetRaiser raiser(skeleton, basis, settings);
-  raiser.raise(raising);
-  Progress tilting = progress.step("tilt", 0.4);
-  raiser.tilt(tilting);
-  raiser.drape(tilting);
-  return raiser.take();
-}
+  MidSurfaceData data = mid_surface_data(skeleton, basis, settings);
+  InflatedSheets sheets;
+  sheets.sampling = basis.sampling;
+  sheets.pairs = data.pairs;
+  sheets.gap = data.gap / (1 + spare_gap);
+  sheets.resting_gap = data.resting_gap / (1 + spare_gap);
 
-InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
-                              Progress& progress) {
-  Progress preparing = progress.step("sample sheets", 0.5);
-  const SheetBasis basis =
-      make_sheet_basis(figure, skeleton, Quality::Final, thin_objects(settings.thickness), preparing);
-  Progress raising = progress.step("mid-surface", 0.5);
-  return raise_sheets(skeleton, basis, settings, raising);
+  // As thick as the skeleton's own depths tell.
+  Progress raising = progress.step("mid-surface", 0.6);
+  const Eigen::VectorXd tilt = swept_limbs(skeleton, data.node_z).tilt;
+  sheets.thickness = tilted_thickness(basis, settings, tilt);
+  data.node_z += node_shifts(skeleton, data, basis.vertex_objects, sheets.thickness, settings, raising);
+  MidSurface middle(basis.op, data);
+  solve_middle(basis, middle, sheets, raising);
+
+  // As thick as the depths tell that came of it. Where these are the same there is nothing to solve again.
+  Progress tilting = progress.step("tilt", 0.4);
+  Eigen::VectorXd heights(data.node_z.size());
+  for (Index n = 0; n < basis.nodes.size(); ++n) heights[n] = value_at(basis.nodes[n], sheets.z);
+  const SweptLimbs limbs = swept_limbs(skeleton, heights);
+  if (!is_negligible(limbs.lift / skeleton.scale) || !is_negligible(limbs.tilt - tilt)) {
+    data.node_z += limbs.lift;
+    middle.move_nodes(data.node_z);
+    sheets.thickness = tilted_thickness(basis, settings, limbs.tilt);
+    solve_middle(basis, middle, sheets, tilting);
+  }
+
+  const Draping draping = drape_sheets(skeleton, basis, settings, data, sheets, tilting);
+  if (!draping.objects.empty()) {
+    std::vector<Index> nodes;
+    for (Index n = 0; n < skeleton.nodes.size(); ++n) {
+      if (std::ranges::binary_search(draping.objects, skeleton.nodes[n].object)) nodes.push_back(n);
+    }
+    for (const Index n : nodes) data.node_z[n] = 0;
+    middle.move_nodes(data.node_z);
+    middle.set_shape(draping.z);
+    solve_middle(basis, middle, sheets, tilting);
+    for (const Index n : nodes) sheets.lowered_nodes.emplace_back(n, value_at(basis.nodes[n], sheets.z));
+  }
+  if (!settings.attachments.empty()) clear_coincidences(coincidence * basis.unit, sheets);
+  make_hollows(data.resting_gap, sheets);
+  return sheets;
 }
 
 }  // namespace croquis::silhouette

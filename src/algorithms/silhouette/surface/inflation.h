@@ -54,8 +54,4 @@ SweptLimbs swept_limbs(const Skeleton& skeleton, const Eigen::VectorXd& node_z);
 InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                             Progress& progress);
 
-/// The same with a basis of its own, of final quality.
-InflatedSheets inflate_sheets(const LabelledFigure& figure, const Skeleton& skeleton, const DepthSettings& settings,
-                              Progress& progress);
-
 }  // namespace croquis::silhouette

@@ -17,19 +17,6 @@ double area_with_height(const Vec2& a, const Vec2& b, const Vec2& c) {
   return std::max(cross(b - a, c - a), least_height * longest);
 }
 
-/// Per corner half the cotangent of its angle.
-std::array<double, 3> half_cotangents(const std::array<Index, 3>& corners, const std::vector<Vec2>& position,
-                                      double twice_area) {
-  std::array<double, 3> result{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2& apex = position[corners[k]];
-    const Vec2& a = position[corners[(k + 1) % 3]];
-    const Vec2& b = position[corners[(k + 2) % 3]];
-    result[k] = (a - apex).dot(b - apex) / (2 * twice_area);
-  }
-  return result;
-}
-
 /// A symmetric matrix of the edges' weights, negative, with the diagonal that makes every row's sum 0.
 Eigen::SparseMatrix<double> stiffness_of(const LiftedTriangulation& lifted,
                                          const std::vector<std::array<double, 3>>& weights) {
@@ -75,8 +62,12 @@ SheetOperator make_sheet_operator(const SheetSampling& sheets, const Eigen::Vect
     const auto& [a, b, c] = corners;
     const double mean = weight.size() > 0 ? (weight[a] + weight[b] + weight[c]) / 3 : 1;
     const double twice_area = area_with_height(op.position[a], op.position[b], op.position[c]);
-    weights.push_back(half_cotangents(corners, op.position, twice_area));
-    for (double& own : weights.back()) own *= mean;
+    std::array<double, 3>& own = weights.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2& apex = op.position[corners[k]];
+      const Vec2 first = op.position[corners[(k + 1) % 3]] - apex, second = op.position[corners[(k + 2) % 3]] - apex;
+      own[k] = first.dot(second) / (2 * twice_area) * mean;  // half the cotangent of the angle
+    }
     for (const Index v : corners) op.area[v] += mean * twice_area / 6;
   }
   op.stiffness = stiffness_of(lifted, weights);

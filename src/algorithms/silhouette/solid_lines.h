@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "algorithms/silhouette/skeleton/skeleton.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 
@@ -25,5 +26,9 @@ std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, cons
 /// contours: what was drawn as part of an outline, but lies within it.
 std::vector<DrawnLine> inner_pieces(const std::vector<DrawnLine>& lines, const std::vector<LabelledFigure>& figures,
                                     double reach);
+
+/// Appends a skeleton: its nodes with the vertex channel "radius", one polyline per branch between ends and junctions.
+/// A loop returns to its first vertex. Nodes without edges stay vertices.
+void append_skeleton(const Skeleton& skeleton, PolyMesh& curves);
 
 }  // namespace croquis::silhouette
