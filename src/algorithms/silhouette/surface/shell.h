@@ -14,11 +14,11 @@ using ObjectPair = std::pair<Index, Index>;
 
 /// A closed surface of triangles: of one object of a figure, or of several joined.
 struct Shell {
-  PolyMesh mesh;                        ///< outward
-  std::vector<Index> objects;           ///< in the order in which they were joined
-  std::vector<Index> face_objects;      ///< per face; empty: all are the only object's
-  int euler = 0;                        ///< counted
-  std::map<ObjectPair, double> blends;  ///< radii of its rounded seams, in parts of what was asked for
+  PolyMesh mesh;                             ///< outward
+  std::vector<Index> objects;                ///< in the order in which they were joined
+  std::vector<Index> face_objects = {};      ///< per face; empty: all are the only object's
+  int euler = 0;                             ///< counted
+  std::map<ObjectPair, double> blends = {};  ///< radii of its rounded seams, in parts of what was asked for
 
   Index object_of(Index face) const { return face_objects.empty() ? objects.front() : face_objects[face]; }
 };
