@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/figure/arrangement.h"
-#include "algorithms/silhouette/figure/labelled_figure_builder.h"
 #include "algorithms/silhouette/figure/labelling.h"
 #include "support/random.h"
 
@@ -19,7 +18,7 @@ namespace {
 
 ContourPath closed_path(Points points) {
   ContourPath path;
-  path.segments.assign(points.size(), {ContourSegment::Drawn::Yes, 0, 0});
+  path.segments.assign(points.size(), {true, true, 0, 0});
   path.points = std::move(points);
   return path;
 }
@@ -107,6 +106,9 @@ TEST_CASE("contours that lie on one another are a conflict, not a crash") {
 }
 
 TEST_CASE("turning numbers count the turns of a loop") {
+  const auto turning_number = [](const Points& points) {
+    return std::lround(turning_of(points, true) / (2 * std::numbers::pi));
+  };
   Points loop = circle({0, 0}, 10);
   CHECK(turning_number(loop) == 1);
   std::reverse(loop.begin(), loop.end());

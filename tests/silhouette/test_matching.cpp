@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/figure/matching.h"
+#include "algorithms/silhouette/figure/figure_search.h"
 #include "support/random.h"
 
 using namespace croquis;

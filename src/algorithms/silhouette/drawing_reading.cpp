@@ -7,9 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "algorithms/silhouette/figure/contour_completion.h"
-#include "algorithms/silhouette/figure/drawing_parts.h"
-#include "algorithms/silhouette/figure/nested_outlines.h"
+#include "algorithms/silhouette/figure/figure_search.h"
+#include "algorithms/silhouette/figure/labelling.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/reading/tube_outlines.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
@@ -244,10 +243,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   extend_behind_bars(lines, junctions.ends, scale);
   bring_into_general_position(lines, scale.step);
 
-  const FigureContext context{
-      drawing, material.options, scale, lines, junctions, order, completion_reference(lines, junctions)};
-  Progress silent = progress.silent();
-  LabelledDrawing result = label_parts(context, junctions.findings, silent);
+  const FigureContext context{drawing, material.options, scale, lines, junctions, order};
+  LabelledDrawing result = label_parts(context, progress.silent());
   result.crossings = std::move(order.pairs);
   std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.grown; });
   result.kinds = kinds_of(material, reading);

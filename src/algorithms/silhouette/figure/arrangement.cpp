@@ -3,58 +3,169 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
-#include "croquis/geometry/segment_grid.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
 
-/// A crossing as seen by one of its two segments.
-struct Passage {
-  Index contour = 0;
-  Index segment = 0;
-  double fraction = 0;
-  Index crossing = 0;
-  bool is_a = false;
+// Samples of a known piece nearer to its bar than so many times what its line goes on behind it give way.
+constexpr double clearance = 1.5;
+
+/// Which completion every end is in.
+struct ChosenEnds {
+  const FigureContext& context;
+  const PartLines& part;
+  const std::vector<ChosenCompletion>& chosen;
+  std::vector<Index> choice;  ///< per position in part.ends: index into chosen
+
+  const HiddenEnd& end(Index at) const { return context.junctions.ends[part.ends[at]]; }
+  const CleanLine& line(Index at) const { return context.lines[end(at).line]; }
+  const Vec2& place_behind_bar(Index at) const { return line(at).end(end(at).at_start); }
 };
 
-struct RawCrossings {
-  std::vector<Vec2> places;
-  std::vector<int> signs;
-  std::vector<Passage> passages;  ///< two per crossing
-};
+/// The other end of the same line.
+Index other_end(Index end) { return end ^ 1U; }
 
-RawCrossings find_crossings(const std::vector<ContourPath>& contours, double spacing) {
-  RawCrossings raw;
-  for (const SegmentContact& found : find_contacts(SegmentGrid(segments_of(contours), spacing))) {
-    const auto crossing = static_cast<Index>(raw.places.size());
-    raw.places.push_back(found.at);
-    raw.signs.push_back(found.sign);
-    raw.passages.push_back({found.a.line, found.a.position, found.fraction_a, crossing, true});
-    raw.passages.push_back({found.b.line, found.b.position, found.fraction_b, crossing, false});
-  }
-  std::sort(raw.passages.begin(), raw.passages.end(), [](const Passage& x, const Passage& y) {
-    return std::tuple(x.contour, x.segment, x.fraction, x.crossing) <
-           std::tuple(y.contour, y.segment, y.fraction, y.crossing);
-  });
-  return raw;
+ContourPath path_of_line(const CleanLine& line, Index index) {
+  ContourPath path{line.points, {}, line.raw, line.strokes};
+  for (const Index stroke : line.stroke) path.segments.push_back({true, true, stroke, index});
+  return path;
 }
 
-/// What is drawn over what is drawn.
-void order_drawn_lines(const std::vector<ContourPath>& paths, const RawCrossings& raw, const VisibleCrossings& order,
-                       std::vector<ContourCrossing>& crossings) {
-  std::vector<std::array<Index, 2>> lines(crossings.size());
-  for (const Passage& passage : raw.passages) {
-    lines[passage.crossing][passage.is_a ? 0 : 1] = paths[passage.contour].segments[passage.segment].line;
+/// An open line between the bars of its ends, the one that it is entered by first.
+ContourPath path_between_bars(const ChosenEnds& ends, Index entered) {
+  ContourPath path = path_of_line(ends.line(entered), ends.end(entered).line);
+  if (!ends.end(entered).at_start) {
+    std::ranges::reverse(path.points);
+    std::ranges::reverse(path.segments);
+    std::ranges::reverse(path.raw);
+    std::ranges::reverse(path.strokes);
   }
-  for (Index k = 0; k < crossings.size(); ++k) {
-    const auto [a, b] = lines[k];
-    if (order.in_front.contains({a, b})) crossings[k].over = 0;
-    if (order.in_front.contains({b, a})) crossings[k].over = 1;
+  if (path.points.size() == 2) {  // the cuts of both ends need a segment each
+    path.points.insert(path.points.begin() + 1, 0.5 * (path.points[0] + path.points[1]));
+    path.raw.insert(path.raw.begin() + 1, 0.5 * (path.raw[0] + path.raw[1]));
+    path.segments.insert(path.segments.begin() + 1, path.segments.front());
   }
+  const auto cut = [&](std::size_t segment, Index at) -> ContourSegment& {
+    path.segments[segment].cut = nearest_parameter(ends.end(at).at, path.points[segment], path.points[segment + 1]);
+    return path.segments[segment];
+  };
+  cut(0, entered).drawn_before = false;
+  cut(path.points.size() - 2, other_end(entered)).drawn_after = false;
+  return path;
+}
+
+Points curve_points(const ChosenEnds& ends, const CompletionCandidate& candidate, Index shape, Index leaving) {
+  Cubic curve = candidate.curve;
+  if (candidate.b == leaving) std::ranges::reverse(curve);
+  const HiddenEnd& end = ends.end(leaving);
+  return completion_points(curve, completion_shapes[candidate.shapes[shape]], ends.context.scale.step,
+                           ends.context.lines[end.bar], end.bar_side);
+}
+
+/// A known piece, between the places behind their bars that the two ends were carried on to.
+Points given_points(const ChosenEnds& ends, const GivenPiece& given, Index leaving, Index arriving) {
+  Points points = given.points;
+  if (given.from != ends.part.ends[leaving]) std::ranges::reverse(points);
+  for (const Index at : {leaving, arriving}) {
+    const Vec2& bar = ends.end(at).at;
+    const double least = clearance * (ends.place_behind_bar(at) - bar).norm();
+    std::erase_if(points, [&](const Vec2& place) { return (place - bar).norm() < least; });
+  }
+  points.insert(points.begin(), ends.place_behind_bar(leaving));
+  points.push_back(ends.place_behind_bar(arriving));
+  return points;
+}
+
+/// Appends a piece but its last point, with which the next one begins. A stroke that is hidden in between comes as
+/// several lines and as what is known between them.
+void append_piece(const ContourPath& piece, ContourPath& path) {
+  path.points.insert(path.points.end(), piece.points.begin(), piece.points.end() - 1);
+  path.segments.insert(path.segments.end(), piece.segments.begin(), piece.segments.end() - 1);
+  path.raw.insert(path.raw.end(), piece.raw.begin(), piece.raw.end() - 1);
+  for (const Index stroke : piece.strokes) {
+    if (std::ranges::find(path.strokes, stroke) == path.strokes.end()) path.strokes.push_back(stroke);
+  }
+}
+
+/// Appends the completion from an end. Returns the end it leads to.
+Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path, ClosedContours& result) {
+  const Index choice = ends.choice[leaving];
+  const auto& [taken, shape] = ends.chosen[choice];
+  const CompletionCandidate& candidate = ends.part.candidates[taken];
+  const Index arriving = candidate.a == leaving ? candidate.b : candidate.a;
+  ContourPath piece;
+  Index stroke = ends.line(leaving).end_stroke(ends.end(leaving).at_start);
+  if (candidate.given == no_index) {
+    piece.points = curve_points(ends, candidate, shape, leaving);
+  } else {
+    const GivenPiece& given = ends.context.junctions.given[candidate.given];
+    piece.points = given_points(ends, given, leaving, arriving);
+    stroke = given.stroke.front();
+    piece.strokes = {stroke};
+  }
+  piece.raw = piece.points;
+  piece.segments.assign(piece.points.size(), {false, false, stroke, no_index, choice});
+  append_piece(piece, path);
+  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost()});
+  return arriving;
+}
+
+/// Follows lines and completions from the start of a line until it comes again.
+bool add_open_lines(const ChosenEnds& ends, Index first, std::vector<char>& done, ClosedContours& result) {
+  ContourPath path;
+  Index entered = first;
+  do {
+    const HiddenEnd& end = ends.end(entered);
+    if (done[end.line]) return false;  // walked in both directions: the sides contradict each other
+    done[end.line] = 1;
+    const int side = (end.at_start ? 1 : -1) * ends.context.junctions.sides[end.line];
+    if (side != 0 && path.side == -side) return false;
+    if (side != 0) path.side = side;
+    append_piece(path_between_bars(ends, entered), path);
+    entered = append_completion(ends, other_end(entered), path, result);
+  } while (ends.end(entered).line != ends.end(first).line);
+  result.paths.push_back(std::move(path));
+  return entered == first;
+}
+
+/// A crossing as seen by one of its two strands.
+struct Passage {
+  double fraction = 0;  ///< along the segment
+  Index crossing = 0;
+  Index strand = 0;
+};
+
+/// Per segment of a contour: its crossings in order along it.
+using Passages = std::vector<std::vector<Passage>>;
+
+/// Adds the crossings; their strands aren't known yet. What is drawn may lie over what is drawn.
+/// @return per contour
+std::vector<Passages> find_crossings(const std::vector<ContourPath>& contours, const VisibleCrossings& order,
+                                     double spacing, Arrangement& result) {
+  std::vector<Passages> passages;
+  for (const ContourPath& contour : contours) passages.emplace_back(contour.points.size());
+  for (const SegmentContact& found : find_contacts(SegmentGrid(segments_of(contours), spacing))) {
+    const auto k = static_cast<Index>(result.crossings.size());
+    result.points.push_back(found.at);
+    ContourCrossing& crossing = result.crossings.emplace_back();
+    crossing.sign = found.sign;
+    const Index a = contours[found.a.line].segments[found.a.position].line;
+    const Index b = contours[found.b.line].segments[found.b.position].line;
+    if (order.in_front.contains({a, b})) crossing.over = 0;
+    if (order.in_front.contains({b, a})) crossing.over = 1;
+    passages[found.a.line][found.a.position].push_back({found.fraction_a, k, 0});
+    passages[found.b.line][found.b.position].push_back({found.fraction_b, k, 1});
+  }
+  for (Passages& segments : passages) {
+    for (std::vector<Passage>& along : segments) {
+      std::ranges::sort(along, {},
+                        [](const Passage& passage) { return std::pair(passage.fraction, passage.crossing); });
+    }
+  }
+  return passages;
 }
 
 /// Which of the crossings on a stem's last segment is its bar's: the one nearest to the cut.
@@ -64,10 +175,7 @@ std::size_t bar_crossing(const ContourSegment& segment, const std::vector<Passag
 }
 
 /// Adds a contour with its crossings as vertices.
-/// @param on_segment per segment: its crossings in order along it
-void add_contour(const ContourPath& path, const std::vector<std::vector<Passage>>& on_segment, double merging,
-                 Arrangement& result) {
-  using Drawn = ContourSegment::Drawn;
+void add_contour(const ContourPath& path, const Passages& on_segment, double merging, Arrangement& result) {
   const auto index = static_cast<Index>(result.contours.size());
   const auto count = static_cast<Index>(path.points.size());
   FigureContour& contour = result.contours.emplace_back();
@@ -86,21 +194,21 @@ void add_contour(const ContourPath& path, const std::vector<std::vector<Passage>
     const std::vector<Passage>& passages = on_segment[i];
     const bool starts_in_crossing = !passages.empty() && passages.front().fraction < merging;
     if (!starts_in_crossing && !ends_in_crossing((i + count - 1) % count)) {
-      add(static_cast<Index>(result.points.size()), i, segment.starts_drawn());
+      add(static_cast<Index>(result.points.size()), i, segment.drawn_before);
       result.points.push_back(path.points[i]);
     }
-    const bool is_cut = segment.drawn == Drawn::UntilCut || segment.drawn == Drawn::FromCut;
+    const bool is_cut = segment.drawn_before != segment.drawn_after;
     const std::size_t cut = is_cut ? bar_crossing(segment, passages) : passages.size();
     for (std::size_t k = 0; k < passages.size(); ++k) {
       const Passage& passage = passages[k];
       ContourCrossing& crossing = result.crossings[passage.crossing];
-      crossing.strands[passage.is_a ? 0 : 1] = {index, static_cast<Index>(contour.vertices.size())};
-      if (k == cut) crossing.over = passage.is_a ? 1 : 0;  // at a T-junction the other contour is in front
+      crossing.strands[passage.strand] = {index, static_cast<Index>(contour.vertices.size())};
+      if (k == cut) crossing.over = 1 - passage.strand;  // at a T-junction the other contour is in front
       const Index next = (i + 1) % count;
       if (k + 1 == passages.size() && ends_in_crossing(i) && on_segment[next].empty()) {
-        add(passage.crossing, next, path.segments[next].starts_drawn());  // in the place of the sample there
+        add(passage.crossing, next, path.segments[next].drawn_before);  // in the place of the sample there
       } else {
-        add(passage.crossing, i, segment.drawn == Drawn::FromCut ? k >= cut : segment.starts_drawn() && k < cut);
+        add(passage.crossing, i, k < cut ? segment.drawn_before : segment.drawn_after);
       }
     }
   }
@@ -201,22 +309,33 @@ void wind(const Arrangement& arrangement, Faces& faces) {
 
 }  // namespace
 
+ClosedContours close_contours(const FigureContext& context, const PartLines& part,
+                              const std::vector<ChosenCompletion>& chosen) {
+  ChosenEnds ends{context, part, chosen, std::vector<Index>(part.ends.size())};
+  for (Index k = 0; k < chosen.size(); ++k) {
+    ends.choice[part.candidates[chosen[k].candidate].a] = k;
+    ends.choice[part.candidates[chosen[k].candidate].b] = k;
+  }
+  ClosedContours result;
+  std::vector<char> done(context.lines.size(), 0);
+  Index start = 0;
+  for (const Index line : part.lines) {
+    if (context.lines[line].closed) {
+      result.paths.push_back(path_of_line(context.lines[line], line));
+      result.paths.back().side = context.junctions.sides[line];
+      continue;
+    }
+    if (!done[line] && !add_open_lines(ends, start, done, result)) return {};
+    start += 2;
+  }
+  return result;
+}
+
 Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
                            double merging) {
-  const RawCrossings raw = find_crossings(contours, spacing);
   Arrangement result;
-  result.points = raw.places;
-  result.crossings.resize(raw.places.size());
-  for (Index k = 0; k < raw.signs.size(); ++k) result.crossings[k].sign = raw.signs[k];
-  order_drawn_lines(contours, raw, order, result.crossings);
-  auto passage = raw.passages.begin();
-  for (Index c = 0; c < contours.size(); ++c) {
-    std::vector<std::vector<Passage>> on_segment(contours[c].points.size());
-    for (; passage != raw.passages.end() && passage->contour == c; ++passage) {
-      on_segment[passage->segment].push_back(*passage);
-    }
-    add_contour(contours[c], on_segment, merging, result);
-  }
+  const std::vector<Passages> passages = find_crossings(contours, order, spacing, result);
+  for (Index c = 0; c < contours.size(); ++c) add_contour(contours[c], passages[c], merging, result);
   add_arcs(order, result);
   return result;
 }

@@ -5,24 +5,45 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/visible_crossings.h"
+#include "algorithms/silhouette/figure/contour_completion.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/silhouette/labelled_figure.h"
 
+/// Contours are closed by the hidden pieces that are chosen, crossed with one another, and bound faces.
 namespace croquis::silhouette {
+
+/// What every part of a drawing is searched in.
+struct FigureContext {
+  const Drawing& drawing;
+  const Options& options;
+  const DrawingScale& scale;
+  const std::vector<CleanLine>& lines;  ///< carried on behind their bars
+  const Junctions& junctions;
+  const VisibleCrossings& order;
+};
+
+/// The lines, ends and candidates of one part of a drawing.
+struct PartLines {
+  std::vector<Index> lines;                     ///< ascending
+  std::vector<Index> ends;                      ///< indices into Junctions::ends: by open line its start and its end
+  std::vector<CompletionCandidate> candidates;  ///< between positions in `ends`
+};
+
+/// A completion that is taken.
+struct ChosenCompletion {
+  Index candidate = 0;
+  Index shape = 0;  ///< position in the candidate's shapes
+};
 
 /// What a segment of a contour is a piece of.
 struct ContourSegment {
-  /// How much of it is drawn; a stem's last segment is drawn up to its bar.
-  enum class Drawn : std::uint8_t { No, Yes, UntilCut, FromCut };
-
-  Drawn drawn = Drawn::No;
+  bool drawn_before = false;    ///< the cut
+  bool drawn_after = false;     ///< the same but of a stem's last segment, which is drawn up to its bar
   Index stroke = 0;             ///< the stroke drawn, or of a completion the stroke it continues
   Index line = no_index;        ///< the drawn line, no_index for a completion
   Index completion = no_index;  ///< which of the chosen completions, no_index for a line
   double cut = 0;               ///< fraction at which its bar crosses it
-
-  bool starts_drawn() const { return drawn == Drawn::Yes || drawn == Drawn::UntilCut; }
 };
 
 /// A closed contour before it is crossed with the others.
@@ -33,6 +54,18 @@ struct ContourPath {
   std::vector<Index> strokes;            ///< in order along the contour
   int side = 0;                          ///< surface left (+1), right (-1), unknown (0)
 };
+
+/// Closed contours that a choice of completions makes of the lines; none when they would put the surface on both sides
+/// of a contour.
+struct ClosedContours {
+  std::vector<ContourPath> paths;             ///< by the lowest line in them
+  std::vector<FigureCompletion> completions;  ///< one per candidate chosen
+};
+
+/// Joins lines and completions.
+/// @param chosen  every end in exactly one
+ClosedContours close_contours(const FigureContext& context, const PartLines& part,
+                              const std::vector<ChosenCompletion>& chosen);
 
 /// A crossing of two contours, or of one with itself.
 struct ContourCrossing {

@@ -16,6 +16,15 @@ namespace croquis::silhouette {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+// Pieces that a curve is measured by before it is sampled evenly.
+constexpr int dense_pieces = 64;
+// Ends that turn away from each other further than this are given no longer handles.
+constexpr double least_facing = -0.3;
+// What follows a line stays so many samples behind it.
+constexpr double depth_behind = 2;
+// Next to its ends, where it comes from the line itself, it gets no deeper than this share of the way from there.
+constexpr double steepness = 0.6;
+constexpr int smoothing_passes = 6;
 // Midpoint rule over so many pieces: the bending of a half circle is right to 0.1 %.
 constexpr int integration_pieces = 24;
 // A cap turns round by at most so much: half a turn for a limb's end, more where the line is mostly hidden.
@@ -34,18 +43,25 @@ struct SeenEnd : HiddenEnd {
   int side = 0;                      ///< the surface lies left (+1) or right (-1), 0 where no stem tells it
   int likely_side = 1;               ///< the same, else by which way the line goes round
   bool is_round = false;             ///< its ends are nearer to one another than half its length
-  double turning = 0;  ///< of the line, from its first to its last direction
+  double turning = 0;                ///< of the line, from its first to its last direction
   int handle = 0;  ///< outer (+1) or inner side (-1) of a handle: two lines from one thing, one goes round the other
 };
 
-double turning_of(std::span<const Vec2> points) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Vec2 before = points[i] - points[i - 1];
-    const Vec2 after = points[i + 1] - points[i];
-    sum += std::atan2(cross(before, after), before.dot(after));
+/// Where a piece would come out beside its bar, it follows the bar within its surface instead.
+Points kept_behind(Points curve, const CleanLine& bar, int bar_side, double spacing) {
+  const std::vector<double> arcs = arc_lengths(curve, false);
+  for (std::size_t i = 1; i + 1 < curve.size(); ++i) {
+    const double depth = std::min(depth_behind * spacing, steepness * std::min(arcs[i], arcs.back() - arcs[i]));
+    const double parameter = nearest_on_line(bar.points, curve[i], 0, bar.segment_count());
+    const auto segment = static_cast<std::size_t>(parameter);
+    const Vec2 at = point_at(bar.points, parameter);
+    const Vec2 direction = (bar.points[(segment + 1) % bar.points.size()] - bar.points[segment]).normalized();
+    const Vec2 inward = bar_side * left_of(direction);
+    if (inward.dot(curve[i] - at) < depth) curve[i] = at + depth * inward;
   }
-  return sum;
+  TaubinOptions smoothing;
+  smoothing.passes = smoothing_passes;
+  return even_points(taubin_smooth(curve, false, smoothing), false, spacing);
 }
 
 /// The known piece that an end belongs to.
@@ -84,7 +100,7 @@ std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Juncti
     const int outward = end.at_start ? -1 : 1;
     end.side = outward * junctions.sides[end.line];
     end.is_round = 2 * (points.back() - points.front()).norm() < length(points, false);
-    end.turning = outward * turning_of(points);
+    end.turning = outward * turning_of(points, false);
     ends.push_back(end);
   }
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // those of one line are neighbours
@@ -105,13 +121,14 @@ std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Juncti
 /// (an ear), or two lines between the same two things (a neck).
 bool turns_once(const SeenEnd& a, const SeenEnd& b, const Cubic& curve) {
   // A curve without inflection of its handles turns like its control polygon.
-  std::vector<double> caps{turning_of(curve)};
+  std::vector<double> caps{turning_of(curve, false)};
   double whole = a.turning + caps[0];
   if (a.line != b.line) {
     // What other lines end at is more likely a strand that goes on than a limb.
     if (a.side != 0 || b.side != 0 || a.other == nullptr || b.other == nullptr) return false;
     if (a.bar != b.bar || a.other->bar != b.other->bar || a.bar == a.other->bar) return false;
-    caps.push_back(turning_of(completion_curve(b.other->place, b.other->tangent, a.other->place, a.other->tangent)));
+    const Cubic cap = completion_curve(b.other->place, b.other->tangent, a.other->place, a.other->tangent);
+    caps.push_back(turning_of(cap, false));
     whole += caps[1] - b.turning;
   }
   const int sense = whole > 0 ? 1 : -1;
@@ -121,10 +138,8 @@ bool turns_once(const SeenEnd& a, const SeenEnd& b, const Cubic& curve) {
 
 /// What a piece costs at most, since it closes a limb.
 double highest_cost(const SeenEnd& a, const SeenEnd& b, const Cubic& curve, double jitter) {
-  if (a.line != b.line) {
-    // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
-    return jitter < 1 && turns_once(a, b, curve) ? costs::limb_cap / (1 - jitter) : no_limit;
-  }
+  // How far curves turn says little of an unsteady hand's lines: strands of knots would be closed as necks.
+  if (a.line != b.line) return jitter < 1 && turns_once(a, b, curve) ? costs::limb_cap / (1 - jitter) : no_limit;
   // A line that passes behind itself goes on there, and the two sides of a handle belong together.
   if (a.bar == a.line || b.bar == b.line || a.handle != 0) return no_limit;
   return turns_once(a, b, curve) ? costs::limb_cap : no_limit;
@@ -298,19 +313,21 @@ void favour_strips(const std::vector<CleanLine>& lines, const std::vector<SeenEn
   }
 }
 
+/// The length that completions are measured by: the median over the hidden ends that have to be joined of the distance
+/// to the nearest other. O(n²) for n ends.
+double reference_length(const std::vector<CleanLine>& lines, const Junctions& junctions) {
+  std::vector<Vec2> places;
+  for (Index e = 0; e < junctions.ends.size(); ++e) {
+    const HiddenEnd& end = junctions.ends[e];
+    if (given_piece_of(junctions, e) == no_index) places.push_back(lines[end.line].end(end.at_start));
+  }
+  return typical_spacing(places, std::vector<char>(places.size(), 1)).value_or(0);
+}
+
 bool may_join(const SeenEnd& a, const SeenEnd& b) {
   const std::string& first = a.drawn->object;
   const std::string& second = b.drawn->object;
   return (first.empty() || second.empty() || first == second) && a.side * b.side <= 0;
-}
-
-/// Gives a candidate its curve, and the costs that what is seen of both lines tells.
-void judge_shape(const SeenEnd& a, const SeenEnd& b, double jitter, double reference, const CompletionOptions& options,
-                 CompletionCandidate& candidate) {
-  const int agreed = a.likely_side == -b.likely_side ? a.likely_side : 0;
-  candidate.curve = completion_curve(a.place, a.tangent, b.place, b.tangent);
-  candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
-  candidate.most = highest_cost(a, b, candidate.curve, jitter);
 }
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
@@ -329,6 +346,51 @@ void judge_cover(const DrawnCover& cover, bool one_bar, CompletionCandidate& can
 double first_step(const CleanLine& line) { return (line.points[1] - line.points[0]).norm(); }
 
 }  // namespace
+
+Cubic completion_curve(const Vec2& a, const Vec2& tangent_a, const Vec2& b, const Vec2& tangent_b) {
+  const double distance = (b - a).norm();
+  const Vec2 across = distance > 0 ? Vec2((b - a) / distance) : Vec2(1, 0);
+  const double facing = 0.5 * (tangent_a.dot(across) - tangent_b.dot(across));
+  const double handle = 2.0 / 3.0 * distance / (1 + std::max(facing, least_facing));
+  return {a, a + handle * tangent_a, b + handle * tangent_b, b};
+}
+
+Points completion_chords(const Cubic& curve, const CompletionShape& shape, int pieces) {
+  const Vec2 first = curve[1] - curve[0];
+  const Vec2 last = curve[2] - curve[3];
+  const Vec2 a = curve[0] + shape.reach * first;
+  const Vec2 d = curve[3] + shape.reach * last;
+  const Vec2 b = a + shape.handles * first;
+  const Vec2 c = d + shape.handles * last;
+  Points points;
+  if (shape.reach > 0) points.push_back(curve[0]);
+  for (int i = 0; i <= pieces; ++i) {
+    const double t = static_cast<double>(i) / pieces;
+    const double s = 1 - t;
+    points.emplace_back(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
+  }
+  if (shape.reach > 0) points.push_back(curve[3]);
+  return points;
+}
+
+Points completion_points(const Cubic& curve, const CompletionShape& shape, double spacing, const CleanLine& bar,
+                         int bar_side) {
+  const Points dense = completion_chords(curve, shape, dense_pieces);
+  const Points points = even_points(dense, false, std::min(spacing, length(dense, false) / 4));
+  return shape.kept_behind ? kept_behind(points, bar, bar_side, spacing) : points;
+}
+
+double turning_of(std::span<const Vec2> points, bool closed) {
+  const std::size_t count = points.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < (closed ? count : count - 2); ++i) {
+    const Vec2& corner = points[(i + 1) % count];
+    const Vec2 before = corner - points[i];
+    const Vec2 after = points[(i + 2) % count] - corner;
+    sum += std::atan2(cross(before, after), before.dot(after));
+  }
+  return sum;
+}
 
 double CompletionCandidate::cost() const {
   const double alone = std::min(shape_cost, most) + open;
@@ -353,30 +415,26 @@ double completion_cost(const Cubic& p, int side, double reference, const Complet
   return options.length_weight * length / reference + options.curvature_weight * (p[3] - p[0]).norm() * bending;
 }
 
-double completion_reference(const std::vector<CleanLine>& lines, const Junctions& junctions) {
-  std::vector<Vec2> places;
-  for (Index e = 0; e < junctions.ends.size(); ++e) {
-    const HiddenEnd& end = junctions.ends[e];
-    if (given_piece_of(junctions, e) == no_index) places.push_back(lines[end.line].end(end.at_start));
-  }
-  return typical_spacing(places, std::vector<char>(places.size(), 1)).value_or(0);
-}
-
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
-                                                       const std::vector<Index>& ends, double reference,
+                                                       const std::vector<Index>& ends,
                                                        const CompletionOptions& options) {
   const std::vector<SeenEnd> seen = seen_ends(lines, junctions, ends);
+  const double reference = reference_length(lines, junctions);
   std::vector<CompletionCandidate> candidates;
   for (Index i = 0; i < ends.size(); ++i) {
     for (Index k = i + 1; k < ends.size(); ++k) {
-      if (seen[i].given != seen[k].given) continue;
-      CompletionCandidate candidate{i, k, seen[i].given};
+      const SeenEnd& a = seen[i];
+      const SeenEnd& b = seen[k];
+      if (a.given != b.given) continue;
+      CompletionCandidate candidate{i, k, a.given};
       if (candidate.given == no_index) {
-        if (!(reference > 0) || !may_join(seen[i], seen[k])) continue;
+        if (!(reference > 0) || !may_join(a, b)) continue;
         // No curve is shorter than its chord.
-        const double chord = (seen[k].place - seen[i].place).norm();
-        if (options.length_weight * chord > options.maximum_cost * reference) continue;
-        judge_shape(seen[i], seen[k], junctions.jitter, reference, options, candidate);
+        if (options.length_weight * (b.place - a.place).norm() > options.maximum_cost * reference) continue;
+        const int agreed = a.likely_side == -b.likely_side ? a.likely_side : 0;
+        candidate.curve = completion_curve(a.place, a.tangent, b.place, b.tangent);
+        candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
+        candidate.most = highest_cost(a, b, candidate.curve, junctions.jitter);
         if (candidate.cost() > options.maximum_cost) continue;
       }
       candidates.push_back(std::move(candidate));

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "algorithms/silhouette/figure/contour_paths.h"
-#include "algorithms/silhouette/figure/labelled_figure_builder.h"
-#include "algorithms/silhouette/figure/matching.h"
-#include "algorithms/silhouette/figure/nested_outlines.h"
+#include <Eigen/Geometry>
+
+#include "algorithms/silhouette/figure/labelling.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -30,7 +32,10 @@ constexpr int maximum_reshapings = 4;
 // What leaving out an end costs, far above all completions.
 constexpr double cost_left_out = 1e4;
 constexpr int branches_for_failure = 200;
-constexpr std::size_t most_told = 3;
+constexpr std::size_t most_faults_named = 3;
+
+/// Ascending; a unit is what can't be labelled apart.
+using Lines = std::vector<Index>;
 
 /// Indices of the candidates that are taken.
 using Matching = std::vector<Index>;
@@ -42,24 +47,27 @@ struct Trial {
   Faces faces;  ///< none when the surface would lie on both sides of a contour, or contours touch
 };
 
-PartLines part_of(const FigureContext& context, const std::vector<Index>& lines, const CompletionOptions& options) {
+PartLines part_of(const FigureContext& context, const std::vector<Lines>& units, const CompletionOptions& options) {
   PartLines part;
-  part.lines = lines;
-  const std::set<Index> included(lines.begin(), lines.end());
+  for (const Lines& unit : units) part.lines.insert(part.lines.end(), unit.begin(), unit.end());
+  std::ranges::sort(part.lines);
+  const std::set<Index> included(part.lines.begin(), part.lines.end());
   for (Index e = 0; e < context.junctions.ends.size(); ++e) {
     if (included.contains(context.junctions.ends[e].line)) part.ends.push_back(e);
   }
-  part.candidates =
-      completion_candidates(context.lines, context.junctions, part.ends, context.completion_reference, options);
+  part.candidates = completion_candidates(context.lines, context.junctions, part.ends, options);
   return part;
 }
 
-MatchingSearch matchings_of(const PartLines& part) {
+/// @param may_leave_out ends; then the first edges stand for those
+MatchingSearch matchings_of(const PartLines& part, bool may_leave_out) {
   std::vector<MatchingEdge> edges;
+  for (Index end = 0; may_leave_out && end < part.ends.size(); ++end) edges.push_back({end, end, cost_left_out});
   for (const CompletionCandidate& candidate : part.candidates) {
-    edges.push_back({candidate.a, candidate.b, candidate.cost()});
+    const double cost = candidate.cost();
+    edges.push_back({candidate.a, candidate.b, may_leave_out ? std::min(cost, cost_left_out) : cost});
   }
-  return {static_cast<Index>(part.ends.size()), edges, maximum_branches};
+  return {static_cast<Index>(part.ends.size()), edges, may_leave_out ? branches_for_failure : maximum_branches};
 }
 
 std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
@@ -73,9 +81,8 @@ std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
 Trial arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen,
               bool refuse) {
   Trial trial;
-  std::optional<ClosedContours> closed = close_contours(context, part, chosen);
-  if (!closed) return trial;
-  trial.closed = std::move(*closed);
+  trial.closed = close_contours(context, part, chosen);
+  if (trial.closed.paths.empty()) return trial;
   for (const double merging : mergings) {
     trial.arrangement = cross_contours(trial.closed.paths, context.order, context.scale.step, merging);
     if (refuse && label_arrangement(trial.arrangement, {}, LabellingRules::Full).side.empty()) break;
@@ -85,24 +92,19 @@ Trial arrange(const FigureContext& context, const PartLines& part, const std::ve
   return trial;
 }
 
-/// Which of the chosen completions an arc is a piece of, no_index for none.
-Index completion_of(const Arrangement& arrangement, const FigureArc& arc) {
-  for (Index k = 0; k < arc.count; ++k) {
-    const Index completion = arrangement.origins[arrangement.segment_of(arc, k)].completion;
-    if (completion != no_index) return completion;
-  }
-  return no_index;
-}
-
 /// Gives their next shapes to completions that would lie in the open; false when there are none.
 bool reshape(const Trial& trial, const PartLines& part, std::vector<ChosenCompletion>& chosen) {
-  const Labelling relaxed = label_arrangement(trial.arrangement, trial.faces, LabellingRules::Slack);
+  const Arrangement& arrangement = trial.arrangement;
+  const Labelling relaxed = label_arrangement(arrangement, trial.faces, LabellingRules::Slack);
   std::set<Index> bare;
   for (const Index wrong : relaxed.wrong_arcs) {
-    const FigureArc& arc = trial.arrangement.arcs[wrong];
-    if (!arc.visible) bare.insert(completion_of(trial.arrangement, arc));
+    const FigureArc& arc = arrangement.arcs[wrong];
+    Index completion = no_index;
+    for (Index k = 0; !arc.visible && completion == no_index && k < arc.count; ++k) {
+      completion = arrangement.origins[arrangement.segment_of(arc, k)].completion;
+    }
+    if (completion != no_index) bare.insert(completion);
   }
-  bare.erase(no_index);
   bool any = false;
   for (const Index k : bare) {
     const CompletionCandidate& candidate = part.candidates[chosen[k].candidate];
@@ -176,14 +178,8 @@ Finding contours_touch(const FigureContext& context, const PartLines& part, cons
 
 /// E_NO_LABELLING for lines whose hidden ends can't all be paired, naming those that are left.
 Finding ends_without_partner(const FigureContext& context, const PartLines& part) {
-  std::vector<MatchingEdge> edges;
-  for (Index end = 0; end < part.ends.size(); ++end) edges.push_back({end, end, cost_left_out});
-  for (const CompletionCandidate& candidate : part.candidates) {
-    edges.push_back({candidate.a, candidate.b, std::min(candidate.cost(), cost_left_out)});
-  }
   NamedStrokes left_out;
-  MatchingSearch search(static_cast<Index>(part.ends.size()), edges, branches_for_failure);
-  for (const Index edge : search.next().value_or(Matching{})) {
+  for (const Index edge : matchings_of(part, true).next().value_or(Matching{})) {
     if (edge >= part.ends.size()) continue;
     const HiddenEnd& end = context.junctions.ends[part.ends[edge]];
     left_out.add(context.drawing, context.lines[end.line].end_stroke(end.at_start), end.at);
@@ -234,35 +230,190 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
   if (faults.empty()) {
     return no_solid("the lines that stop at others contradict one another", all_strokes(context, part));
   }
-  std::string told = faults.front();
-  for (std::size_t i = 1; i < faults.size() && i < most_told; ++i) told += ", and " + faults[i];
-  return no_solid(told, std::move(subjects));
+  std::string why = faults.front();
+  for (std::size_t i = 1; i < faults.size() && i < most_faults_named; ++i) why += ", and " + faults[i];
+  return no_solid(why, std::move(subjects));
 }
 
-}  // namespace
-
-FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress) {
+/// Completes and labels the contours of some units together: one figure, or a finding.
+LabelledDrawing search_figure(const FigureContext& context, const std::vector<Lines>& units, const Progress& progress) {
   CompletionOptions options = context.options.completion;
-  PartLines part = part_of(context, lines, options);
-  MatchingSearch matchings = matchings_of(part);
+  PartLines part = part_of(context, units, options);
+  MatchingSearch matchings = matchings_of(part, false);
   std::optional<Matching> matching = matchings.next();
   if (!matching) {
     // Among thin tubes a wide body's completion may seem too costly, though it is the only one there is.
     options.maximum_cost = std::numeric_limits<double>::max();
-    part = part_of(context, lines, options);
-    matchings = matchings_of(part);
+    part = part_of(context, units, options);
+    matchings = matchings_of(part, false);
     matching = matchings.next();
   }
-  if (!matching) return {std::nullopt, {ends_without_partner(context, part)}};
+  LabelledDrawing result;
+  if (!matching) {
+    result.findings.push_back(ends_without_partner(context, part));
+    return result;
+  }
   const Matching cheapest = *matching;
   std::size_t arcs = 0;
   for (int tried = 0; matching && tried < options.maximum_matchings && arcs < maximum_arcs; ++tried) {
     progress.check();
     std::optional<LabelledFigure> figure = try_matching(context, part, *matching, tried, arcs);
-    if (figure) return {std::move(figure), {}};
+    if (figure) {
+      result.figures.push_back(*std::move(figure));
+      return result;
+    }
     matching = matchings.next();
   }
-  return {std::nullopt, {no_labelling(context, part, arrange(context, part, in_likeliest_shapes(cheapest), false))}};
+  const Trial failed = arrange(context, part, in_likeliest_shapes(cheapest), false);
+  result.findings.push_back(no_labelling(context, part, failed));
+  return result;
+}
+
+/// Units that are solved together and what came of it.
+struct Group {
+  std::vector<Lines> units;                ///< by their first lines
+  Eigen::AlignedBox2d box;                 ///< of the lines, then of the completed contours
+  std::optional<LabelledDrawing> outcome;  ///< with the findings of what was left out
+};
+
+/// Per line its unit: lines that stop at one another, that something known joins, or of one object.
+std::vector<Index> units_of_lines(const FigureContext& context) {
+  DisjointSets joined(context.lines.size());
+  for (const HiddenEnd& end : context.junctions.ends) joined.unite(end.line, end.bar);
+  for (const GivenPiece& given : context.junctions.given) {
+    joined.unite(context.junctions.ends[given.from].line, context.junctions.ends[given.to].line);
+  }
+  std::map<std::string, Index> first_of_object;
+  for (Index line = 0; line < context.lines.size(); ++line) {
+    const std::string& object = context.lines[line].object;
+    if (!object.empty()) joined.unite(line, first_of_object.try_emplace(object, line).first->second);
+  }
+  std::vector<Index> unit_of;
+  joined.number(unit_of);
+  return unit_of;
+}
+
+/// A fault between two units excludes both, unless one of them is out already for a reason of its own.
+std::set<Index> bad_units(const std::vector<Index>& unit_of, const LineFindings& faults) {
+  std::vector<std::set<Index>> faulty;
+  for (const LineFinding& fault : faults) {
+    std::set<Index>& units = faulty.emplace_back();
+    for (const Index line : fault.lines) units.insert(unit_of[line]);
+  }
+  std::set<Index> bad;
+  for (const std::set<Index>& units : faulty) {
+    if (units.size() == 1) bad.insert(*units.begin());
+  }
+  const std::set<Index> bad_by_itself = bad;
+  for (const std::set<Index>& units : faulty) {
+    const auto is_out = [&](Index unit) { return bad_by_itself.contains(unit); };
+    if (std::ranges::none_of(units, is_out)) bad.insert(units.begin(), units.end());
+  }
+  return bad;
+}
+
+/// Joins groups whose boxes overlap, keeping the order of their first units.
+void merge_overlapping(std::vector<Group>& groups) {
+  for (auto group = groups.begin(); group != groups.end();) {
+    const auto overlaps = [&](const Group& other) { return other.box.intersects(group->box); };
+    const auto into = std::find_if(groups.begin(), group, overlaps);
+    if (into == group) {
+      ++group;
+      continue;
+    }
+    into->units.insert(into->units.end(), group->units.begin(), group->units.end());
+    std::ranges::sort(into->units);
+    into->box.extend(group->box);
+    into->outcome.reset();
+    groups.erase(group);
+    group = groups.begin();  // others may overlap the larger box
+  }
+}
+
+/// All units together; if that fails, those that can be labelled alone, one after the other as far as they go together.
+/// What is left out has its reason.
+LabelledDrawing search_without_bad(const FigureContext& context, const std::vector<Lines>& units,
+                                   const Progress& progress) {
+  LabelledDrawing all = search_figure(context, units, progress);
+  if (!all.figures.empty() || units.size() == 1) return all;
+  LabelledDrawing result;
+  std::vector<Lines> accepted;
+  for (const Lines& unit : units) {
+    LabelledDrawing found = search_figure(context, {unit}, progress);
+    accepted.push_back(unit);
+    if (!found.figures.empty() && accepted.size() > 1) found = search_figure(context, accepted, progress);
+    std::ranges::move(found.findings, std::back_inserter(result.findings));
+    if (found.figures.empty()) {
+      accepted.pop_back();
+    } else {
+      result.figures = std::move(found.figures);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+MatchingSearch::MatchingSearch(Index nodes, const std::vector<MatchingEdge>& edges, int maximum_branches)
+    : branches_left_(maximum_branches) {
+  std::vector<std::vector<IntegerProgram::Term>> one(nodes);
+  for (const MatchingEdge& edge : edges) {
+    const Index taken = program_.add_variable(0, 1, edge.cost);
+    one[edge.a].push_back({taken, 1});
+    if (edge.b != edge.a) one[edge.b].push_back({taken, 1});
+  }
+  for (std::vector<IntegerProgram::Term>& row : one) program_.add_row(std::move(row), 1, 1);
+}
+
+std::optional<std::vector<Index>> MatchingSearch::next() {
+  if (done_ || limit_reached()) return std::nullopt;
+  const IntegerProgram::Solution solution = program_.solve(branches_left_);
+  branches_left_ = solution.status == IntegerProgram::Status::Limit ? 0 : branches_left_ - solution.nodes;
+  done_ = solution.status != IntegerProgram::Status::Optimal;
+  if (done_) return std::nullopt;
+  std::vector<Index> taken;
+  std::vector<IntegerProgram::Term> same;
+  for (Index e = 0; e < solution.values.size(); ++e) {
+    if (solution.values[e] == 0) continue;
+    taken.push_back(e);
+    same.push_back({e, 1});
+  }
+  done_ = taken.empty();
+  if (!done_) program_.add_row(std::move(same), 0, static_cast<double>(taken.size()) - 1);
+  return taken;
+}
+
+LabelledDrawing label_parts(const FigureContext& context, const Progress& progress) {
+  const std::vector<Index> unit_of = units_of_lines(context);
+  const std::set<Index> bad = bad_units(unit_of, context.junctions.findings);
+  std::vector<Group> groups(unit_of.size());
+  for (Index line = 0; line < unit_of.size(); ++line) {
+    if (bad.contains(unit_of[line])) continue;
+    Group& group = groups[unit_of[line]];
+    group.units.resize(1);
+    group.units.front().push_back(line);
+    for (const Vec2& point : context.lines[line].points) group.box.extend(point);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.units.empty(); });
+  // Completions may reach beyond the strokes and into other groups: then those are solved together. Each round has
+  // fewer groups than the one before.
+  merge_overlapping(groups);
+  for (std::size_t before = 0; before != groups.size(); merge_overlapping(groups)) {
+    before = groups.size();
+    for (Group& group : groups) {
+      if (group.outcome) continue;
+      group.outcome = search_without_bad(context, group.units, progress);
+      for (const LabelledFigure& figure : group.outcome->figures) {
+        for (const Vec2& point : figure.points) group.box.extend(point);
+      }
+    }
+  }
+  LabelledDrawing result;
+  for (Group& group : groups) {
+    std::ranges::move(group.outcome->figures, std::back_inserter(result.figures));
+    std::ranges::move(group.outcome->findings, std::back_inserter(result.findings));
+  }
+  return result;
 }
 
 }  // namespace croquis::silhouette

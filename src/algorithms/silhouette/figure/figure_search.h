@@ -4,34 +4,44 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/junctions.h"
+#include "algorithms/silhouette/figure/arrangement.h"
 #include "croquis/base/progress.h"
-#include "croquis/silhouette/labelled_figure.h"
-#include "croquis/silhouette/options.h"
+#include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 
-/// What every part of a drawing is searched in.
-struct FigureContext {
-  const Drawing& drawing;
-  const Options& options;
-  const DrawingScale& scale;
-  const std::vector<CleanLine>& lines;  ///< carried on behind their bars
-  const Junctions& junctions;
-  const VisibleCrossings& order;
-  double completion_reference = 1;  ///< length that completions are measured by
+/// A pair that may be matched, at a price; a node with itself: it may be left out.
+struct MatchingEdge {
+  Index a = 0;
+  Index b = 0;
+  double cost = 0;
 };
 
-/// One of the two is empty, unless some of the lines were left out.
-struct FigureSearch {
-  std::optional<LabelledFigure> figure;
-  Findings findings;  ///< E_NO_LABELLING, E_TOUCH
+/// Enumerates perfect matchings of a graph from the cheapest on: one integer program with a 0-1 variable for each edge
+/// and a row for each node, from which what was found is excluded.
+class MatchingSearch {
+ public:
+  /// @param maximum_branches bound of all searches together
+  MatchingSearch(Index nodes, const std::vector<MatchingEdge>& edges, int maximum_branches);
+
+  /// The next matching as edge indices, ascending; none when there are no more or the bound was reached.
+  std::optional<std::vector<Index>> next();
+
+  bool limit_reached() const { return branches_left_ <= 0; }
+
+ private:
+  IntegerProgram program_;
+  int branches_left_;
+  bool done_ = false;
 };
 
-/// Completes and labels the contours of some lines together: tries the perfect matchings of their hidden ends from the
-/// cheapest on, until one can be labelled (Cordier, Seo, Cho 2006, section 3; Williams 1994).
-/// @param lines ascending
-FigureSearch search_figure(const FigureContext& context, const std::vector<Index>& lines, const Progress& progress);
+/// Completes and labels the contours of a drawing: tries the perfect matchings of hidden ends from the cheapest on,
+/// until one can be labelled (Cordier, Seo, Cho 2006, section 3; Williams 1994).
+///
+/// Lines that stop at one another, or are forced into one object, are connected. Those whose bounding boxes overlap are
+/// solved together; when that fails, as many of them as go together, so that one bad object doesn't exclude the others.
+/// Lines of which the junctions have findings are left out.
+/// @return figures, and findings (E_NO_LABELLING, E_TOUCH) of what couldn't be labelled
+LabelledDrawing label_parts(const FigureContext& context, const Progress& progress);
 
 }  // namespace croquis::silhouette

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/figure/labelled_figure_builder.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/figure/nested_outlines.h"
+#include "algorithms/silhouette/figure/labelling.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
@@ -164,7 +162,7 @@ std::vector<Index> name_objects(const Drawing& drawing, const std::vector<std::v
   std::vector<Index> object(strokes.size());
   std::map<std::string, Index> of_group;
   for (const Index component : by_first_stroke) {
-    const std::string group = told_object(drawing, strokes[component]);
+    const std::string group = object_of_strokes(drawing, strokes[component]);
     const auto next = static_cast<Index>(objects.size());
     object[component] = group.empty() ? next : of_group.try_emplace(group, next).first->second;
     if (object[component] != next) continue;
@@ -183,15 +181,14 @@ void add_objects(const Drawing& drawing, const ClosedContours& closed, const std
   }
   for (std::vector<Index>& own : strokes) std::ranges::sort(own);
   const std::vector<Index> object = name_objects(drawing, strokes, figure.objects);
-  for (Index k = 0; k < object.size(); ++k) {
-    std::vector<Index>& own = figure.objects[object[k]].strokes;
-    own.insert(own.end(), strokes[k].begin(), strokes[k].end());
-  }
   for (Index c = 0; c < figure.contours.size(); ++c) {
     FigureContour& contour = figure.contours[c];
     contour.object = object[component[c]];
-    figure.objects[contour.object].contours.push_back(c);
-    figure.objects[contour.object].euler_region += contour.side * turning_number(closed.paths[c].points);
+    FigureObject& owner = figure.objects[contour.object];
+    owner.strokes.insert(owner.strokes.end(), contour.strokes.begin(), contour.strokes.end());
+    owner.contours.push_back(c);
+    const double turns = turning_of(closed.paths[c].points, true) / (2 * std::numbers::pi);
+    owner.euler_region += contour.side * static_cast<int>(std::lround(turns));
   }
   for (FigureObject& owner : figure.objects) std::ranges::sort(owner.strokes);
   for (FigureOverlap& overlap : figure.overlaps) {
@@ -223,17 +220,6 @@ std::optional<LabelledFigure> build_figure(const FigureContext& context, const C
   figure.faces = std::move(faces.of_triangle);
   figure.triangulation = std::move(faces.triangulation);
   return figure;
-}
-
-int turning_number(const Points& points) {
-  const std::size_t count = points.size();
-  double turned = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 before = points[(i + 1) % count] - points[i];
-    const Vec2 after = points[(i + 2) % count] - points[(i + 1) % count];
-    turned += std::atan2(cross(before, after), before.dot(after));
-  }
-  return static_cast<int>(std::lround(turned / (2 * std::numbers::pi)));
 }
 
 }  // namespace croquis::silhouette

@@ -2,13 +2,55 @@
 #include "algorithms/silhouette/figure/labelling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
+#include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/ring_shape.h"
+#include "croquis/geometry/polyline.h"
 #include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
 namespace {
+
+/// Per contour those that cross it.
+std::vector<std::set<Index>> crossed_contours(const Arrangement& arrangement) {
+  std::vector<std::set<Index>> crossed(arrangement.contours.size());
+  for (const auto& [strands, sign, over] : arrangement.crossings) {
+    const auto [a, b] = std::pair(strands[0].contour, strands[1].contour);
+    if (a == b) continue;
+    crossed[a].insert(b);
+    crossed[b].insert(a);
+  }
+  return crossed;
+}
+
+/// Per contour the smallest one that it lies in, no_index for none. Contours that don't cross lie in one another with
+/// all of their arcs or none.
+std::vector<Index> surrounding_contours(const Arrangement& arrangement, const Faces& faces,
+                                        const std::vector<double>& area, const std::vector<std::set<Index>>& crossed) {
+  std::vector<Index> around(area.size(), no_index);
+  for (Index c = 0; c < area.size(); ++c) {
+    const Index face = faces.beside_arc[arrangement.segment_arc[arrangement.first_segment[c]]].front();
+    for (Index o = 0; o < area.size(); ++o) {
+      if (o == c || std::abs(area[o]) <= std::abs(area[c]) || crossed[c].contains(o)) continue;
+      const bool smallest = around[c] == no_index || std::abs(area[o]) < std::abs(area[around[c]]);
+      if (faces.winding[face][o] != 0 && smallest) around[c] = o;
+    }
+  }
+  return around;
+}
+
+/// Whether a contour within another is marked as the edge of a hole; none where nothing says so or not.
+std::optional<bool> chosen_nesting(const Drawing& drawing, const ContourPath& path, const ContourPath& around) {
+  if (const std::optional<bool> by_kind = told_hole(drawing, path.strokes)) return by_kind;
+  const std::string own = object_of_strokes(drawing, path.strokes);
+  if (own.empty()) return std::nullopt;
+  return own == object_of_strokes(drawing, around.strokes);
+}
 
 // Deepest label that is looked for; also the "big M" that switches the rules of a crossing.
 constexpr double deepest = 12;
@@ -25,8 +67,12 @@ constexpr double unbounded = IntegerProgram::unbounded;
 
 using Terms = std::vector<IntegerProgram::Term>;
 
-/// Variables that are above 0 where a rule is broken, and what of.
-using Slacks = std::vector<std::pair<Index, Index>>;
+/// A variable that is above 0 where a rule is broken.
+struct Slack {
+  Index variable = 0;
+  Index what = 0;                                  ///< the rule is of
+  std::vector<Index> Labelling::*wrong = nullptr;  ///< the list of such things
+};
 
 /// The integer program and what its variables stand for.
 struct LabellingProgram {
@@ -34,15 +80,15 @@ struct LabellingProgram {
   const Faces& faces;
   LabellingRules rules;
   IntegerProgram program;
-  std::vector<Index> depth;  ///< per arc
-  std::vector<Index> side;   ///< per contour: o
-  std::vector<Index> over;   ///< per crossing: 1 where the first strand is in front
-  Slacks arc_slacks, crossing_slacks, face_slacks;
+  std::vector<Index> depth;    ///< per arc
+  std::vector<Index> side;     ///< per contour: o
+  std::vector<Index> over;     ///< per crossing: 1 where the first strand is in front
+  std::vector<Index> missing;  ///< per face, with blame: surfaces
+  std::vector<Slack> slacks;
 
-  /// A variable by which a rule may be broken.
-  Index add_slack(double most, double cost, Index what, Slacks& slacks) {
-    slacks.emplace_back(program.add_variable(0, most, cost), what);
-    return slacks.back().first;
+  Index add_slack(double most, double cost, Index what, std::vector<Index> Labelling::*wrong) {
+    slacks.push_back({program.add_variable(0, most, cost), what, wrong});
+    return slacks.back().variable;
   }
 };
 
@@ -55,7 +101,7 @@ void add_depths(LabellingProgram& labels) {
     const Index n = labels.program.add_variable(strict && !visible ? 1 : 0, strict && visible ? 0 : deepest, 1);
     labels.depth.push_back(n);
     if (strict || !is_known) continue;
-    const Index slack = labels.add_slack(visible ? deepest : 1, slack_cost, e, labels.arc_slacks);
+    const Index slack = labels.add_slack(visible ? deepest : 1, slack_cost, e, &Labelling::wrong_arcs);
     labels.program.add_row({{n, 1}, {slack, visible ? -1.0 : 1.0}}, visible ? -unbounded : 1, visible ? 0 : unbounded);
   }
 }
@@ -78,7 +124,7 @@ void add_step(const ContourCrossing::Strand& strand, Index crossing, Terms terms
   terms.push_back({labels.depth[strand.after], 1});
   terms.push_back({labels.depth[strand.before], -1});
   for (int sign = 1; labels.rules == LabellingRules::Blame && sign >= -1; sign -= 2) {
-    const Index slack = labels.add_slack(deepest, rule_cost, crossing, labels.crossing_slacks);
+    const Index slack = labels.add_slack(deepest, rule_cost, crossing, &Labelling::wrong_crossings);
     terms.push_back({slack, static_cast<double>(sign)});
   }
   labels.program.add_row(std::move(terms), change, change);
@@ -122,7 +168,7 @@ void add_crossing_rules(Index k, LabellingProgram& labels) {
 /// Adds factor * w of a face to a row's terms.
 /// @return the constant that is missing there
 double add_layers(const LabellingProgram& labels, Index face, double factor, Terms& terms) {
-  if (labels.rules == LabellingRules::Blame) terms.push_back({labels.face_slacks[face].first, factor});
+  if (labels.rules == LabellingRules::Blame) terms.push_back({labels.missing[face], factor});
   double turns = 0;
   for (Index c = 0; c < labels.side.size(); ++c) {
     const int winding = labels.faces.winding[face][c];
@@ -135,7 +181,9 @@ double add_layers(const LabellingProgram& labels, Index face, double factor, Ter
 /// (a) and (b).
 void add_layer_rules(LabellingProgram& labels) {
   for (Index f = 0; f < labels.faces.winding.size(); ++f) {
-    if (labels.rules == LabellingRules::Blame) labels.add_slack(deepest, rule_cost, f, labels.face_slacks);
+    if (labels.rules == LabellingRules::Blame) {
+      labels.missing.push_back(labels.add_slack(deepest, rule_cost, f, &Labelling::wrong_faces));
+    }
     Terms terms;
     const double turns = add_layers(labels, f, 1, terms);
     if (!terms.empty()) labels.program.add_row(std::move(terms), turns, unbounded);
@@ -150,8 +198,43 @@ void add_layer_rules(LabellingProgram& labels) {
 
 }  // namespace
 
+std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vector<ContourPath>& paths,
+                                        const Faces& faces, Arrangement& arrangement) {
+  std::vector<double> area;
+  area.reserve(paths.size());
+  for (const ContourPath& path : paths) area.push_back(signed_area(path.points));
+  const std::vector<std::set<Index>> crossed = crossed_contours(arrangement);
+  const std::vector<Index> around = surrounding_contours(arrangement, faces, area, crossed);
+  const auto is_open = [&](Index c) { return around[c] != no_index && paths[c].side == 0; };
+  // From the outside in: what lies in a hole is no part of the surface around the hole.
+  std::vector<std::pair<int, Index>> order;
+  for (Index c = 0; c < paths.size(); ++c) {
+    int depth = 0;
+    for (Index o = around[c]; o != no_index; o = around[o]) ++depth;
+    if (is_open(c)) order.emplace_back(depth, c);
+  }
+  std::ranges::sort(order);
+  std::vector<NestedOutline> nested;
+  for (const auto& [depth, c] : order) {
+    const Index outer = around[c];
+    const auto filled_side = [&](Index contour) { return area[contour] >= 0 ? 1 : -1; };
+    if (arrangement.contours[outer].side == -filled_side(outer)) continue;  // bounds a hole
+    // What covers the outline around or is covered by it, and what else lies within it.
+    std::size_t things = crossed[outer].size() + (is_open(outer) ? 2 : 0);
+    for (Index other = 0; other < paths.size(); ++other) {
+      if (other != c && around[other] == outer && is_open(other)) ++things;
+    }
+    const std::optional<bool> chosen = chosen_nesting(drawing, paths[c], paths[outer]);
+    const bool hole = chosen ? *chosen : is_hole_of_ring(paths[c].points, paths[outer].points, things);
+    arrangement.contours[c].side = (hole ? -1 : 1) * filled_side(c);
+    nested.push_back(
+        {paths[c].strokes.front(), paths[outer].strokes.front(), hole, chosen.has_value(), paths[c].points.front()});
+  }
+  return nested;
+}
+
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules) {
-  LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}, {}};
+  LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}};
   add_sides(labels);
   for (const ContourCrossing& crossing : arrangement.crossings) {
     labels.over.push_back(labels.program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0));
@@ -164,20 +247,35 @@ Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, 
       labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes, 0, first).values;
   Labelling result;
   if (values.empty()) return result;
-  const auto broken = [&](const Slacks& slacks) {
-    std::vector<Index> what;
-    for (const auto& [slack, of] : slacks) {
-      if (values[slack] > 0) what.push_back(of);
-    }
-    return what;
-  };
   for (const Index n : labels.depth) result.depth.push_back(values[n]);
   for (const Index o : labels.side) result.side.push_back(2 * values[o] - 1);
   for (const Index x : labels.over) result.is_swapped.push_back(values[x] == 0 ? 1 : 0);
-  result.wrong_arcs = broken(labels.arc_slacks);
-  result.wrong_crossings = broken(labels.crossing_slacks);
-  result.wrong_faces = broken(labels.face_slacks);
+  for (const auto& [slack, what, wrong] : labels.slacks) {
+    if (values[slack] > 0) (result.*wrong).push_back(what);
+  }
   return result;
+}
+
+std::string object_of_strokes(const Drawing& drawing, const std::vector<Index>& strokes) {
+  for (const Index stroke : strokes) {
+    if (!drawing.strokes[stroke].object.empty()) return drawing.strokes[stroke].object;
+  }
+  return {};
+}
+
+Findings nested_findings(const Drawing& drawing, const LabelledFigure& figure) {
+  Findings findings;
+  for (const auto& [stroke, around, hole, chosen, at] : figure.nested) {
+    if (chosen) continue;
+    const std::string names = in_quotes(drawing, stroke) + " lies within " + in_quotes(drawing, around);
+    Finding note = make_warning(Category::Geometry, "W_NESTED",
+                                names + (hole ? " and was read as a hole: mark it as a part if it lies in front"
+                                              : " and was read as a part in front: mark it as a hole if it is one"),
+                                {stroke_subject(drawing, stroke, at)});
+    note.severity = Severity::Info;
+    findings.push_back(std::move(note));
+  }
+  return findings;
 }
 
 }  // namespace croquis::silhouette

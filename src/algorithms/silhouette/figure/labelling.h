@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithms/silhouette/figure/arrangement.h"
+#include "croquis/base/finding.h"
 
 namespace croquis::silhouette {
+
+/// Reads what the drawing leaves open: whether a closed outline within another, whose side no junction tells, bounds a
+/// hole or a part in front. Sets the sides of the arrangement's contours.
+///
+/// A stroke's own "kind" decides, then its object: outlines of different named objects are no holes of each other. Else
+/// it is judged by its shape. Holes are what rings of even width go round, along most of the outline; the thicker the
+/// ring for its hole, the more does whatever lies over it, or beside the hole in the same outline, speak for a part: a
+/// belly or an eye on a body rather than a ring.
+/// O(#nested * samples of the two contours).
+std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vector<ContourPath>& paths,
+                                        const Faces& faces, Arrangement& arrangement);
 
 /// The labelled figure's numbers; none where no labelling was found.
 struct Labelling {
@@ -37,5 +51,17 @@ enum class LabellingRules {
 /// @param arrangement its contours' sides are kept where they are known
 /// @param faces       where there are none, the rules of faces are left out
 Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules);
+
+/// Puts the labelled figure together: contours, arcs and crossings as labelled, and the objects that its panels are
+/// glued to (Williams 1994): across an arc of depth n, from the side with more layers, panel i goes on as i for i < n
+/// and as i - 1 for i > n; panel n ends there. None when a contour would bound two components.
+std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& closed,
+                                           const Arrangement& arrangement, Faces faces, const Labelling& labelling);
+
+/// Name of the object that the strokes of one outline are forced into, empty for none.
+std::string object_of_strokes(const Drawing& drawing, const std::vector<Index>& strokes);
+
+/// One note (W_NESTED) for every outline that was read by its shape.
+Findings nested_findings(const Drawing& drawing, const LabelledFigure& figure);
 
 }  // namespace croquis::silhouette
