@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -30,6 +31,12 @@ Points circle(const Vec2& centre, double radius, int count = 60) {
     points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
   }
   return points;
+}
+
+Arrangement crossed(std::vector<ContourPath> paths, double merging = 0.15) {
+  Arrangement closed;
+  closed.paths = std::move(paths);
+  return cross_contours(std::move(closed), {}, 5, merging);
 }
 
 /// Crossings by testing every pair of segments.
@@ -62,10 +69,10 @@ TEST_CASE("crossings are found as by testing all pairs, each contour passing thr
           closed_path(circle({random.between(0, 100), random.between(0, 100)}, random.between(10, 60), 40)));
     }
     for (const double merging : {0.15, 1e-4}) {
-      const Arrangement made = cross_contours(paths, {}, 5, merging);
-      CHECK(static_cast<int>(made.crossings.size()) == count_crossings(paths));
-      for (Index k = 0; k < made.crossings.size(); ++k) {
-        for (const ContourCrossing::Strand& strand : made.crossings[k].strands) {
+      const Arrangement made = crossed(paths, merging);
+      CHECK(static_cast<int>(made.contour_crossings.size()) == count_crossings(paths));
+      for (Index k = 0; k < made.contour_crossings.size(); ++k) {
+        for (const ContourCrossing::Strand& strand : made.contour_crossings[k].strands) {
           CHECK(made.contours[strand.contour].vertices[strand.position] == k);
         }
       }
@@ -74,35 +81,37 @@ TEST_CASE("crossings are found as by testing all pairs, each contour passing thr
 }
 
 TEST_CASE("two crossing discs have three faces with the right windings and areas") {
-  const Arrangement made =
-      cross_contours({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))}, {}, 5, 0.15);
-  CHECK(made.crossings.size() == 2);
+  Arrangement made = crossed({closed_path(circle({0, 0}, 50)), closed_path(circle({50, 0}, 50))});
+  CHECK(made.contour_crossings.size() == 2);
   CHECK(made.arcs.size() == 4);
-  const Faces found = find_faces(made);
-  REQUIRE(found.conflicts.empty());
-  REQUIRE(found.winding.size() == 4);
-  CHECK(found.winding[0] == std::vector<int>{0, 0});
+  find_faces(made);
+  REQUIRE(made.conflicts.empty());
+  REQUIRE(made.winding.size() == 4);
+  CHECK(made.winding[0] == std::vector<int>{0, 0});
   const double lens = 2500 * (2 * std::numbers::pi / 3 - std::sqrt(3.0) / 2);
   for (std::size_t f = 1; f < 4; ++f) {
-    const bool both = found.winding[f] == std::vector<int>{1, 1};
-    CHECK(found.area[f] == Approx(both ? lens : 2500 * std::numbers::pi - lens).epsilon(0.01));
+    const bool both = made.winding[f] == std::vector<int>{1, 1};
+    CHECK(made.area[f] == Approx(both ? lens : 2500 * std::numbers::pi - lens).epsilon(0.01));
   }
 }
 
 TEST_CASE("nested contours are wound without crossing anything") {
   Points inner = circle({0, 0}, 20);
   std::reverse(inner.begin(), inner.end());
-  const Faces found = find_faces(cross_contours({closed_path(circle({0, 0}, 50)), closed_path(inner)}, {}, 5, 0.15));
-  REQUIRE(found.winding.size() == 3);
+  Arrangement made = crossed({closed_path(circle({0, 0}, 50)), closed_path(inner)});
+  find_faces(made);
+  REQUIRE(made.winding.size() == 3);
   for (std::size_t f = 1; f < 3; ++f) {
-    const bool ring = found.area[f] > 5000;
-    CHECK(found.winding[f] == (ring ? std::vector<int>{1, 0} : std::vector<int>{1, -1}));
+    const bool ring = made.area[f] > 5000;
+    CHECK(made.winding[f] == (ring ? std::vector<int>{1, 0} : std::vector<int>{1, -1}));
   }
 }
 
 TEST_CASE("contours that lie on one another are a conflict, not a crash") {
   const Points points = circle({0, 0}, 50);
-  CHECK_FALSE(find_faces(cross_contours({closed_path(points), closed_path(points)}, {}, 5, 0.15)).conflicts.empty());
+  Arrangement made = crossed({closed_path(points), closed_path(points)});
+  find_faces(made);
+  CHECK_FALSE(made.conflicts.empty());
 }
 
 TEST_CASE("turning numbers count the turns of a loop") {
@@ -133,15 +142,15 @@ TEST_CASE("blame is found exactly where there is no labelling") {
       paths.push_back(closed_path(circle({random.between(-40, 40), random.between(-40, 40)}, random.between(30, 60))));
       paths.back().side = random.below(8) == 0 ? -1 : 1;
     }
-    Arrangement made = cross_contours(paths, {}, 5, 0.15);
-    for (ContourCrossing& crossing : made.crossings) {
+    Arrangement made = crossed(paths);
+    for (ContourCrossing& crossing : made.contour_crossings) {
       crossing.over = std::array{Index{0}, Index{0}, Index{1}, no_index}[random.below(4)];
     }
     if (random.below(3) > 0) std::ranges::fill(made.may_be_covered, std::uint8_t{1});
-    const Faces found = find_faces(made);
-    if (!found.conflicts.empty()) continue;
-    const Labelling full = label_arrangement(made, found, LabellingRules::Full);
-    const Labelling blamed = label_arrangement(made, found, LabellingRules::Blame);
+    find_faces(made);
+    if (!made.conflicts.empty()) continue;
+    const Labelling full = label_arrangement(made, LabellingRules::Full);
+    const Labelling blamed = label_arrangement(made, LabellingRules::Blame);
     const bool any = !blamed.wrong_arcs.empty() || !blamed.wrong_crossings.empty() || !blamed.wrong_faces.empty();
     INFO("round " << round);
     REQUIRE(blamed.side.size() == paths.size());

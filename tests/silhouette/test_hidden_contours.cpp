@@ -156,17 +156,16 @@ TEST_CASE("what is drawn tells where a hidden piece would lie in the open") {
   silhouette::CleanLine disc;
   disc.points = circle_outline({0, 0}, 100);
   disc.closed = true;
-  silhouette::Junctions junctions;
-  junctions.sides = {1};
-  const silhouette::DrawnCover cover({disc}, junctions);
-  CHECK(cover.missing({{-50, 0}, {0, 30}, {50, 0}}) == 0);
-  CHECK(cover.missing({{-50, 0}, {0, 150}, {50, 0}}) == 1);
+  const auto missing = [](const silhouette::CleanLine& line, int side, const silhouette::Points& piece) {
+    return silhouette::missing_surfaces(SegmentGrid(segments_of(std::vector{line}), 10), {side}, piece);
+  };
+  CHECK(missing(disc, 1, {{-50, 0}, {0, 30}, {50, 0}}) == 0);
+  CHECK(missing(disc, 1, {{-50, 0}, {0, 150}, {50, 0}}) == 1);
   // Behind the disc the piece went behind something else that is hidden there itself.
-  CHECK(cover.missing({{-50, 0}, {0, 150}}) == 0);
-  CHECK(cover.missing({{0, 150}, {-50, 0}, {0, -150}}) == 0);
+  CHECK(missing(disc, 1, {{-50, 0}, {0, 150}}) == 0);
+  CHECK(missing(disc, 1, {{0, 150}, {-50, 0}, {0, -150}}) == 0);
   // Of a line whose side nothing tells, nothing is said.
   silhouette::CleanLine open = disc;
   open.closed = false;
-  junctions.sides = {0};
-  CHECK(silhouette::DrawnCover({open}, junctions).missing({{-50, 0}, {0, 150}, {50, 0}}) == 0);
+  CHECK(missing(open, 0, {{-50, 0}, {0, 150}, {50, 0}}) == 0);
 }

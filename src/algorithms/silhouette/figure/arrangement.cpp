@@ -91,7 +91,7 @@ void append_piece(const ContourPath& piece, ContourPath& path) {
 }
 
 /// Appends the completion from an end. Returns the end it leads to.
-Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path, ClosedContours& result) {
+Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path, Arrangement& result) {
   const Index choice = ends.choice[leaving];
   const auto& [taken, shape] = ends.chosen[choice];
   const CompletionCandidate& candidate = ends.part.candidates[taken];
@@ -114,7 +114,7 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
 }
 
 /// Follows lines and completions from the start of a line until it comes again.
-bool add_open_lines(const ChosenEnds& ends, Index first, std::vector<char>& done, ClosedContours& result) {
+bool add_open_lines(const ChosenEnds& ends, Index first, std::vector<char>& done, Arrangement& result) {
   ContourPath path;
   Index entered = first;
   do {
@@ -143,17 +143,16 @@ using Passages = std::vector<std::vector<Passage>>;
 
 /// Adds the crossings; their strands aren't known yet. What is drawn may lie over what is drawn.
 /// @return per contour
-std::vector<Passages> find_crossings(const std::vector<ContourPath>& contours, const VisibleCrossings& order,
-                                     double spacing, Arrangement& result) {
+std::vector<Passages> find_crossings(const VisibleCrossings& order, double spacing, Arrangement& result) {
   std::vector<Passages> passages;
-  for (const ContourPath& contour : contours) passages.emplace_back(contour.points.size());
-  for (const SegmentContact& found : find_contacts(SegmentGrid(segments_of(contours), spacing))) {
-    const auto k = static_cast<Index>(result.crossings.size());
+  for (const ContourPath& path : result.paths) passages.emplace_back(path.points.size());
+  for (const SegmentContact& found : find_contacts(SegmentGrid(segments_of(result.paths), spacing))) {
+    const auto k = static_cast<Index>(result.contour_crossings.size());
     result.points.push_back(found.at);
-    ContourCrossing& crossing = result.crossings.emplace_back();
+    ContourCrossing& crossing = result.contour_crossings.emplace_back();
     crossing.sign = found.sign;
-    const Index a = contours[found.a.line].segments[found.a.position].line;
-    const Index b = contours[found.b.line].segments[found.b.position].line;
+    const Index a = result.paths[found.a.line].segments[found.a.position].line;
+    const Index b = result.paths[found.b.line].segments[found.b.position].line;
     if (order.in_front.contains({a, b})) crossing.over = 0;
     if (order.in_front.contains({b, a})) crossing.over = 1;
     passages[found.a.line][found.a.position].push_back({found.fraction_a, k, 0});
@@ -201,7 +200,7 @@ void add_contour(const ContourPath& path, const Passages& on_segment, double mer
     const std::size_t cut = is_cut ? bar_crossing(segment, passages) : passages.size();
     for (std::size_t k = 0; k < passages.size(); ++k) {
       const Passage& passage = passages[k];
-      ContourCrossing& crossing = result.crossings[passage.crossing];
+      ContourCrossing& crossing = result.contour_crossings[passage.crossing];
       crossing.strands[passage.strand] = {index, static_cast<Index>(contour.vertices.size())};
       if (k == cut) crossing.over = 1 - passage.strand;  // at a T-junction the other contour is in front
       const Index next = (i + 1) % count;
@@ -242,14 +241,14 @@ void add_arcs(const VisibleCrossings& order, Arrangement& result) {
     std::vector<Index> starts;
     for (Index i = 0; i < count; ++i) {
       result.segments.push_back({vertices[i], vertices[(i + 1) % count]});
-      if (vertices[i] < result.crossings.size()) starts.push_back(i);
+      if (vertices[i] < result.contour_crossings.size()) starts.push_back(i);
     }
     if (starts.empty()) starts.push_back(0);
     starts.push_back(starts.front() + count);
     for (std::size_t k = 0; k + 1 < starts.size(); ++k)
       add_arc({c, starts[k], starts[k + 1] - starts[k]}, order, result);
   }
-  for (ContourCrossing& crossing : result.crossings) {
+  for (ContourCrossing& crossing : result.contour_crossings) {
     for (auto& [contour, position, before, after] : crossing.strands) {
       const auto count = static_cast<Index>(result.contours[contour].vertices.size());
       before = result.segment_arc[result.first_segment[contour] + (position + count - 1) % count];
@@ -286,22 +285,22 @@ Index number_faces(const PlanarTriangulation& plane, std::vector<Index>& of_tria
 }
 
 /// Winding numbers spread from outside: stepping over a contour from its right to its left adds one turn.
-void wind(const Arrangement& arrangement, Faces& faces) {
-  std::vector<std::vector<Index>> arcs_of(faces.area.size());
+void wind(Arrangement& arrangement) {
+  std::vector<std::vector<Index>> arcs_of(arrangement.area.size());
   for (Index arc = 0; arc < arrangement.arcs.size(); ++arc) {
-    for (const Index face : faces.beside_arc[arc]) arcs_of[face].push_back(arc);
+    for (const Index face : arrangement.beside_arc[arc]) arcs_of[face].push_back(arc);
   }
-  faces.winding.assign(faces.area.size(), {});
-  faces.winding[0].assign(arrangement.contours.size(), 0);
+  arrangement.winding.assign(arrangement.area.size(), {});
+  arrangement.winding[0].assign(arrangement.contours.size(), 0);
   std::vector<Index> reached{0};
   for (std::size_t k = 0; k < reached.size(); ++k) {
     const Index face = reached[k];
     for (const Index arc : arcs_of[face]) {
-      const auto& [left, right] = faces.beside_arc[arc];
+      const auto& [left, right] = arrangement.beside_arc[arc];
       const Index next = right == face ? left : right;
-      if (!faces.winding[next].empty()) continue;
-      faces.winding[next] = faces.winding[face];
-      faces.winding[next][arrangement.arcs[arc].contour] += right == face ? 1 : -1;
+      if (!arrangement.winding[next].empty()) continue;
+      arrangement.winding[next] = arrangement.winding[face];
+      arrangement.winding[next][arrangement.arcs[arc].contour] += right == face ? 1 : -1;
       reached.push_back(next);
     }
   }
@@ -309,14 +308,14 @@ void wind(const Arrangement& arrangement, Faces& faces) {
 
 }  // namespace
 
-ClosedContours close_contours(const FigureContext& context, const PartLines& part,
-                              const std::vector<ChosenCompletion>& chosen) {
+Arrangement close_contours(const FigureContext& context, const PartLines& part,
+                           const std::vector<ChosenCompletion>& chosen) {
   ChosenEnds ends{context, part, chosen, std::vector<Index>(part.ends.size())};
   for (Index k = 0; k < chosen.size(); ++k) {
     ends.choice[part.candidates[chosen[k].candidate].a] = k;
     ends.choice[part.candidates[chosen[k].candidate].b] = k;
   }
-  ClosedContours result;
+  Arrangement result;
   std::vector<char> done(context.lines.size(), 0);
   Index start = 0;
   for (const Index line : part.lines) {
@@ -331,38 +330,34 @@ ClosedContours close_contours(const FigureContext& context, const PartLines& par
   return result;
 }
 
-Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
-                           double merging) {
-  Arrangement result;
-  const std::vector<Passages> passages = find_crossings(contours, order, spacing, result);
-  for (Index c = 0; c < contours.size(); ++c) add_contour(contours[c], passages[c], merging, result);
-  add_arcs(order, result);
-  return result;
+Arrangement cross_contours(Arrangement closed, const VisibleCrossings& order, double spacing, double merging) {
+  const std::vector<Passages> passages = find_crossings(order, spacing, closed);
+  for (Index c = 0; c < closed.paths.size(); ++c) add_contour(closed.paths[c], passages[c], merging, closed);
+  add_arcs(order, closed);
+  return closed;
 }
 
-Faces find_faces(const Arrangement& arrangement) {
-  Faces faces;
+void find_faces(Arrangement& arrangement) {
   PlanarTriangulationResult made = triangulate(arrangement.points, arrangement.segments);
-  faces.conflicts = conflict_places(arrangement, made);
-  if (!faces.conflicts.empty()) return faces;
-  faces.triangulation = std::move(made.triangulation);
-  faces.area.assign(number_faces(faces.triangulation, faces.of_triangle), 0.0);
-  faces.beside_arc.assign(arrangement.arcs.size(), {0, 0});
-  for (Index t = 0; t < faces.of_triangle.size(); ++t) {
-    const Index face = faces.of_triangle[t];
-    const std::array<Index, 3>& corners = faces.triangulation.triangles[t];
+  arrangement.conflicts = conflict_places(arrangement, made);
+  if (!arrangement.conflicts.empty()) return;
+  arrangement.triangulation = std::move(made.triangulation);
+  arrangement.area.assign(number_faces(arrangement.triangulation, arrangement.faces), 0.0);
+  arrangement.beside_arc.assign(arrangement.arcs.size(), {0, 0});
+  for (Index t = 0; t < arrangement.faces.size(); ++t) {
+    const Index face = arrangement.faces[t];
+    const std::array<Index, 3>& corners = arrangement.triangulation.triangles[t];
     const auto& [a, b, c] = corners;
     const Points& p = arrangement.points;
-    if (face != 0) faces.area[face] += 0.5 * cross(p[b] - p[a], p[c] - p[a]);
+    if (face != 0) arrangement.area[face] += 0.5 * cross(p[b] - p[a], p[c] - p[a]);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Index segment = faces.triangulation.constraints[t][i];
+      const Index segment = arrangement.triangulation.constraints[t][i];
       if (segment == no_index) continue;
       const bool is_left = corners[(i + 1) % 3] == arrangement.segments[segment][0];
-      faces.beside_arc[arrangement.segment_arc[segment]][is_left ? 0 : 1] = face;
+      arrangement.beside_arc[arrangement.segment_arc[segment]][is_left ? 0 : 1] = face;
     }
   }
-  wind(arrangement, faces);
-  return faces;
+  wind(arrangement);
 }
 
 }  // namespace croquis::silhouette

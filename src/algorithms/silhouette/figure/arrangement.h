@@ -7,7 +7,6 @@
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "croquis/geometry/drawing.h"
-#include "croquis/geometry/planar_triangulation.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 /// Contours are closed by the hidden pieces that are chosen, crossed with one another, and bound faces.
@@ -55,18 +54,6 @@ struct ContourPath {
   int side = 0;                          ///< surface left (+1), right (-1), unknown (0)
 };
 
-/// Closed contours that a choice of completions makes of the lines; none when they would put the surface on both sides
-/// of a contour.
-struct ClosedContours {
-  std::vector<ContourPath> paths;             ///< by the lowest line in them
-  std::vector<FigureCompletion> completions;  ///< one per candidate chosen
-};
-
-/// Joins lines and completions.
-/// @param chosen  every end in exactly one
-ClosedContours close_contours(const FigureContext& context, const PartLines& part,
-                              const std::vector<ChosenCompletion>& chosen);
-
 /// A crossing of two contours, or of one with itself.
 struct ContourCrossing {
   /// One of the two that cross here.
@@ -82,44 +69,41 @@ struct ContourCrossing {
   Index over = no_index;  ///< the strand in front where that is known: at a T-junction the bar
 };
 
-/// All contours of a part in the plane: crossings are vertices, pieces between them arcs.
-struct Arrangement {
-  Points points;                        ///< the crossings first
-  std::vector<FigureContour> contours;  ///< side 0 where it is unknown; objects not yet known
-  std::vector<ContourCrossing> crossings;
-  std::vector<FigureArc> arcs;                 ///< by contour, in order along it; depth not yet known
-  std::vector<std::array<Index, 2>> segments;  ///< by contour, in order along it
-  std::vector<ContourSegment> origins;         ///< per segment: what it is a piece of
-  std::vector<Index> first_segment;            ///< per contour
-  std::vector<Index> segment_arc;
+/// All contours of a part in the plane, before they are labelled: crossings are vertices, the first of the points;
+/// pieces between them are arcs. Sides are 0 where they are unknown. Filled by the three steps below, in their order.
+struct Arrangement : LabelledFigure {
+  std::vector<ContourPath> paths;  ///< that the contours are made of, by the lowest line in them
+  std::vector<ContourCrossing> contour_crossings;
+  std::vector<ContourSegment> origins;       ///< per segment: what it is a piece of
+  std::vector<Index> first_segment;          ///< per contour
   std::vector<std::uint8_t> may_be_covered;  ///< per arc: drawn, but something drawn may lie in front of it
+
+  // The faces are the connected pieces of the plane without the contours; face 0 is outside all.
+  std::vector<double> area;                      ///< per face; 0 of face 0
+  std::vector<std::vector<int>> winding;         ///< per face and contour: times the contour goes round it
+  std::vector<std::array<Index, 2>> beside_arc;  ///< per arc: the faces on its left and right
+  std::vector<Vec2> conflicts;  ///< places where contours overlap or meet in one point; then there are no faces
 
   /// The k-th segment of an arc.
   Index segment_of(const FigureArc& arc, Index k) const {
     const Index count = static_cast<Index>(contours[arc.contour].vertices.size());
     return first_segment[arc.contour] + (arc.begin + k) % count;
   }
-  Index middle_segment(const FigureArc& arc) const { return segment_of(arc, arc.count / 2); }
 };
+
+/// Joins lines and completions to closed contours, which aren't crossed yet. None when they would put the surface on
+/// both sides of a contour.
+/// @param chosen  every end in exactly one
+Arrangement close_contours(const FigureContext& context, const PartLines& part,
+                           const std::vector<ChosenCompletion>& chosen);
 
 /// Crosses closed contours with one another: exact predicates, a uniform grid, near O(n).
 /// @param order what is known of drawn lines that cross
 /// @param spacing usual length of a segment
 /// @param merging samples nearer to a crossing than this share of their segment give way to it
-Arrangement cross_contours(const std::vector<ContourPath>& contours, const VisibleCrossings& order, double spacing,
-                           double merging);
-
-/// The faces of an arrangement: connected pieces of the plane without its contours. Face 0 is outside all.
-struct Faces {
-  PlanarTriangulation triangulation;  ///< of the arrangement's points, constrained to its segments
-  std::vector<Index> of_triangle;
-  std::vector<double> area;                      ///< per face; 0 of face 0
-  std::vector<std::vector<int>> winding;         ///< per face and contour: times the contour goes round it
-  std::vector<std::array<Index, 2>> beside_arc;  ///< per arc: the faces on its left and right
-  std::vector<Vec2> conflicts;  ///< places where contours overlap or meet in one point; then there are no faces
-};
+Arrangement cross_contours(Arrangement closed, const VisibleCrossings& order, double spacing, double merging);
 
 /// Triangulates the arrangement and floods it from outside, so that nested contours need no special care.
-Faces find_faces(const Arrangement& arrangement);
+void find_faces(Arrangement& arrangement);
 
 }  // namespace croquis::silhouette

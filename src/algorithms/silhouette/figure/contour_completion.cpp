@@ -40,7 +40,7 @@ struct SeenEnd : HiddenEnd {
   Index given = no_index;            ///< the known piece that it belongs to
   Vec2 place = Vec2::Zero();         ///< behind the bar
   const SeenEnd* other = nullptr;    ///< at the line's other end; null where that isn't hidden
-  int side = 0;                      ///< the surface lies left (+1) or right (-1), 0 where no stem tells it
+  int side = 0;                      ///< the surface lies left (+1) or right (-1), 0 where no stem gives it
   int likely_side = 1;               ///< the same, else by which way the line goes round
   bool is_round = false;             ///< its ends are nearer to one another than half its length
   double turning = 0;                ///< of the line, from its first to its last direction
@@ -331,19 +331,32 @@ bool may_join(const SeenEnd& a, const SeenEnd& b) {
 }
 
 /// Brings the shapes that keep a candidate covered to the front, and makes it dearer when there is none.
-void judge_cover(const DrawnCover& cover, bool one_bar, CompletionCandidate& candidate) {
-  std::array<double, completion_shapes.size()> open{};
-  for (const std::uint8_t shape : candidate.shapes) {
-    const Points chords = completion_chords(candidate.curve, completion_shapes[shape], judged_pieces);
-    open[shape] = costs::in_the_open * cover.missing(chords);
-    if (shape == 0 && open[shape] <= 0) return;
+/// @param sides of the lines; a closed line has its surface within where it isn't known
+void judge_cover(const std::vector<CleanLine>& lines, std::vector<int> sides, const std::vector<SeenEnd>& ends,
+                 std::vector<CompletionCandidate>& candidates) {
+  double longest_step = 0;
+  for (Index line = 0; line < lines.size(); ++line) {
+    const Points& points = lines[line].points;
+    longest_step = std::max(longest_step, (points[1] - points[0]).norm());
+    if (sides[line] == 0 && lines[line].closed) sides[line] = signed_area(points) >= 0 ? 1 : -1;
   }
-  std::ranges::stable_sort(candidate.shapes, {}, [&](std::uint8_t shape) { return open[shape]; });
-  candidate.open = open[candidate.shapes.front()];
-  if (candidate.open > 0 && one_bar) candidate.shapes.insert(candidate.shapes.begin(), kept_behind_shape);
+  const SegmentGrid drawn(segments_of(lines), longest_step);
+  for (CompletionCandidate& candidate : candidates) {
+    if (candidate.given != no_index) continue;
+    std::array<double, completion_shapes.size()> open{};
+    for (const std::uint8_t shape : candidate.shapes) {
+      const Points chords = completion_chords(candidate.curve, completion_shapes[shape], judged_pieces);
+      open[shape] = costs::in_the_open * missing_surfaces(drawn, sides, chords);
+      if (shape == 0 && open[shape] <= 0) break;
+    }
+    std::ranges::stable_sort(candidate.shapes, {}, [&](std::uint8_t shape) { return open[shape]; });
+    candidate.open = open[candidate.shapes.front()];
+    const SeenEnd& a = ends[candidate.a];
+    const SeenEnd& b = ends[candidate.b];
+    const bool one_bar = a.bar == b.bar && a.bar_side == b.bar_side;
+    if (candidate.open > 0 && one_bar) candidate.shapes.insert(candidate.shapes.begin(), kept_behind_shape);
+  }
 }
-
-double first_step(const CleanLine& line) { return (line.points[1] - line.points[0]).norm(); }
 
 }  // namespace
 
@@ -441,33 +454,20 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
     }
   }
   favour_strips(lines, seen, junctions.jitter, candidates);
-  const DrawnCover cover(lines, junctions);
-  for (CompletionCandidate& candidate : candidates) {
-    const SeenEnd& a = seen[candidate.a];
-    const SeenEnd& b = seen[candidate.b];
-    if (candidate.given == no_index) judge_cover(cover, a.bar == b.bar && a.bar_side == b.bar_side, candidate);
-  }
+  judge_cover(lines, junctions.sides, seen, candidates);
   return candidates;
 }
 
-DrawnCover::DrawnCover(const std::vector<CleanLine>& lines, const Junctions& junctions)
-    : grid_(segments_of(lines), first_step(*std::ranges::max_element(lines, {}, first_step))) {
-  for (Index line = 0; line < lines.size(); ++line) {
-    const int round = !lines[line].closed ? 0 : signed_area(lines[line].points) >= 0 ? 1 : -1;
-    sides_.push_back(junctions.sides[line] != 0 ? junctions.sides[line] : round);
-  }
-}
-
-int DrawnCover::missing(const Points& piece) const {
+int missing_surfaces(const SegmentGrid& drawn, const std::vector<int>& sides, const Points& piece) {
   std::vector<std::pair<double, int>> changes;  // by place along the piece
   for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
     const Vec2& a = piece[i];
     const Vec2& b = piece[i + 1];
-    grid_.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index k) {
-      const GridSegment& s = grid_.segments()[k];
+    drawn.near_box(a.cwiseMin(b), a.cwiseMax(b), [&](Index k) {
+      const GridSegment& s = drawn.segments()[k];
       if (!segments_cross(a, b, s.a, s.b)) return;
       const int to_left = cross(s.b - s.a, b - a) > 0 ? 1 : -1;
-      changes.emplace_back(static_cast<double>(i) + crossing_fraction(a, b, s.a, s.b), to_left * sides_[s.line]);
+      changes.emplace_back(static_cast<double>(i) + crossing_fraction(a, b, s.a, s.b), to_left * sides[s.line]);
     });
   }
   std::ranges::sort(changes);

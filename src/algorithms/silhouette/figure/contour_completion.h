@@ -75,27 +75,17 @@ double completion_cost(const Cubic& curve, int side, double reference_length, co
 /// have that one candidate.
 /// @param lines carried on behind their bars
 /// @param ends  subset of junctions.ends, as indices; candidates hold positions in this list
-/// O(n² + l² #P) for n ends of l open lines, and all ends of the drawing each by each.
+/// O(n² + l² #P) for n ends of l open lines, and O(N²) for all N ends of the drawing.
 std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLine>& lines, const Junctions& junctions,
                                                        const std::vector<Index>& ends,
                                                        const CompletionOptions& options);
 
-/// Judges hidden pieces of contour by what is drawn alone, before anything is labelled.
-///
-/// What is drawn has nothing in front; so a hidden piece passes behind every line that it crosses, and one surface more
-/// or less is in front of it from there on. Behind its bar it starts with one.
-class DrawnCover {
- public:
-  DrawnCover(const std::vector<CleanLine>& lines, const Junctions& junctions);
-
-  /// How many surfaces are missing in front of a piece where it lies in the open; 0 if it is covered all along. Near
-  /// O(#P).
-  /// @param piece from one place behind a bar to another
-  int missing(const Points& piece) const;
-
- private:
-  SegmentGrid grid_;
-  std::vector<int> sides_;  ///< per line: where its surface lies, 0 where an open one's isn't known
-};
+/// How many surfaces are missing in front of a hidden piece of contour where it lies in the open; 0 if it is covered
+/// all along. Judged by what is drawn alone, before anything is labelled: that has nothing in front; so a hidden piece
+/// passes behind every line that it crosses, and one surface more or less is in front of it from there on. Behind its
+/// bar it starts with one. Near O(#P).
+/// @param sides of the drawn lines: their surfaces lie on the left (+1) or right (-1), 0 where that isn't known
+/// @param piece from one place behind a bar to another
+int missing_surfaces(const SegmentGrid& drawn, const std::vector<int>& sides, const Points& piece);
 
 }  // namespace croquis::silhouette

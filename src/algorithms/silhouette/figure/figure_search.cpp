@@ -34,26 +34,18 @@ constexpr double cost_left_out = 1e4;
 constexpr int branches_for_failure = 200;
 constexpr std::size_t most_faults_named = 3;
 
-/// Ascending; a unit is what can't be labelled apart.
+/// Indices of lines, ascending. A unit is lines that are only labelled together.
 using Lines = std::vector<Index>;
 
 /// Indices of the candidates that are taken.
 using Matching = std::vector<Index>;
 
-/// Contours, crossings and faces of one matching.
-struct Trial {
-  ClosedContours closed;
-  Arrangement arrangement;
-  Faces faces;  ///< none when the surface would lie on both sides of a contour, or contours touch
-};
-
 PartLines part_of(const FigureContext& context, const std::vector<Lines>& units, const CompletionOptions& options) {
   PartLines part;
   for (const Lines& unit : units) part.lines.insert(part.lines.end(), unit.begin(), unit.end());
   std::ranges::sort(part.lines);
-  const std::set<Index> included(part.lines.begin(), part.lines.end());
   for (Index e = 0; e < context.junctions.ends.size(); ++e) {
-    if (included.contains(context.junctions.ends[e].line)) part.ends.push_back(e);
+    if (std::ranges::binary_search(part.lines, context.junctions.ends[e].line)) part.ends.push_back(e);
   }
   part.candidates = completion_candidates(context.lines, context.junctions, part.ends, options);
   return part;
@@ -76,27 +68,27 @@ std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
   return chosen;
 }
 
-/// Crosses the contours of a matching and finds the faces.
+/// Crosses the contours of a matching and finds the faces: none when the surface would lie on both sides of a contour,
+/// or contours touch.
 /// @param refuse what contradicts at crossings alone, before the faces are found: that takes most of the time
-Trial arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen,
-              bool refuse) {
-  Trial trial;
-  trial.closed = close_contours(context, part, chosen);
-  if (trial.closed.paths.empty()) return trial;
+Arrangement arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen,
+                    bool refuse) {
+  const Arrangement closed = close_contours(context, part, chosen);
+  if (closed.paths.empty()) return closed;
+  Arrangement result;
   for (const double merging : mergings) {
-    trial.arrangement = cross_contours(trial.closed.paths, context.order, context.scale.step, merging);
-    if (refuse && label_arrangement(trial.arrangement, {}, LabellingRules::Full).side.empty()) break;
-    trial.faces = find_faces(trial.arrangement);
-    if (trial.faces.conflicts.empty()) break;
+    result = cross_contours(closed, context.order, context.scale.step, merging);
+    if (refuse && label_arrangement(result, LabellingRules::Full).side.empty()) break;
+    find_faces(result);
+    if (result.conflicts.empty()) break;
   }
-  return trial;
+  return result;
 }
 
 /// Gives their next shapes to completions that would lie in the open; false when there are none.
-bool reshape(const Trial& trial, const PartLines& part, std::vector<ChosenCompletion>& chosen) {
-  const Arrangement& arrangement = trial.arrangement;
-  const Labelling relaxed = label_arrangement(arrangement, trial.faces, LabellingRules::Slack);
+bool reshape(const Arrangement& arrangement, const PartLines& part, std::vector<ChosenCompletion>& chosen) {
   std::set<Index> bare;
+  const Labelling relaxed = label_arrangement(arrangement, LabellingRules::Slack);
   for (const Index wrong : relaxed.wrong_arcs) {
     const FigureArc& arc = arrangement.arcs[wrong];
     Index completion = no_index;
@@ -122,19 +114,13 @@ std::optional<LabelledFigure> try_matching(const FigureContext& context, const P
                                            const Matching& matching, int tried, std::size_t& arcs) {
   std::vector<ChosenCompletion> chosen = in_likeliest_shapes(matching);
   for (int round = 0;; ++round) {
-    Trial trial = arrange(context, part, chosen, tried > 0 && round == 0);
-    arcs += trial.arrangement.arcs.size();
-    if (trial.faces.winding.empty()) return std::nullopt;
-    std::vector<NestedOutline> nested =
-        read_nesting(context.drawing, trial.closed.paths, trial.faces, trial.arrangement);
-    const Labelling labelling = label_arrangement(trial.arrangement, trial.faces, LabellingRules::Full);
-    if (!labelling.side.empty()) {
-      std::optional<LabelledFigure> figure =
-          build_figure(context, trial.closed, trial.arrangement, std::move(trial.faces), labelling);
-      if (figure) figure->nested = std::move(nested);
-      return figure;
-    }
-    if (round == maximum_reshapings || !reshape(trial, part, chosen)) return std::nullopt;
+    Arrangement arrangement = arrange(context, part, chosen, tried > 0 && round == 0);
+    arcs += arrangement.arcs.size();
+    if (arrangement.winding.empty()) return std::nullopt;
+    arrangement.nested = read_nesting(context.drawing, arrangement);
+    const Labelling labelling = label_arrangement(arrangement, LabellingRules::Full);
+    if (!labelling.side.empty()) return build_figure(context, std::move(arrangement), labelling);
+    if (round == maximum_reshapings || !reshape(arrangement, part, chosen)) return std::nullopt;
   }
 }
 
@@ -193,12 +179,10 @@ Finding ends_without_partner(const FigureContext& context, const PartLines& part
 
 /// E_NO_LABELLING naming the lines of which a labelling with blame had to break a rule; E_TOUCH where contours meet in
 /// a way that nothing resolves.
-Finding no_labelling(const FigureContext& context, const PartLines& part, const Trial& trial) {
-  const Arrangement& arrangement = trial.arrangement;
-  const Faces& faces = trial.faces;
-  if (!faces.conflicts.empty()) return contours_touch(context, part, faces.conflicts.front());
+Finding no_labelling(const FigureContext& context, const PartLines& part, const Arrangement& arrangement) {
+  if (!arrangement.conflicts.empty()) return contours_touch(context, part, arrangement.conflicts.front());
   Labelling blamed;
-  if (!faces.winding.empty()) blamed = label_arrangement(arrangement, faces, LabellingRules::Blame);
+  if (!arrangement.winding.empty()) blamed = label_arrangement(arrangement, LabellingRules::Blame);
   std::vector<std::string> faults;
   std::vector<Subject> subjects;
   const auto blame = [&](Index segment) {
@@ -207,14 +191,15 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
     subjects.push_back(stroke_subject(context.drawing, stroke, at));
     return in_quotes(context.drawing, stroke);
   };
+  const auto blame_middle = [&](const FigureArc& arc) { return blame(arrangement.segment_of(arc, arc.count / 2)); };
   for (const Index wrong : blamed.wrong_arcs) {
     const FigureArc& arc = arrangement.arcs[wrong];
-    const std::string stroke = blame(arrangement.middle_segment(arc));
+    const std::string stroke = blame_middle(arc);
     faults.push_back(arc.visible ? "the drawn part of " + stroke + " would be covered"
                                  : "the hidden part of " + stroke + " would lie in the open");
   }
   for (const Index wrong : blamed.wrong_crossings) {
-    const auto& [a, b] = arrangement.crossings[wrong].strands;
+    const auto& [a, b] = arrangement.contour_crossings[wrong].strands;
     const std::string first = blame(arrangement.first_segment[a.contour] + a.position);
     const std::string second = blame(arrangement.first_segment[b.contour] + b.position);
     faults.push_back(first);
@@ -223,8 +208,8 @@ Finding no_labelling(const FigureContext& context, const PartLines& part, const 
   for (const Index wrong : blamed.wrong_faces) {
     for (Index e = 0; e < arrangement.arcs.size(); ++e) {
       const FigureArc& arc = arrangement.arcs[e];
-      if (faces.beside_arc[e][blamed.side[arc.contour] > 0 ? 1 : 0] != wrong) continue;
-      faults.push_back(blame(arrangement.middle_segment(arc)) + " would be the edge of nothing");
+      if (arrangement.beside_arc[e][blamed.side[arc.contour] > 0 ? 1 : 0] != wrong) continue;
+      faults.push_back(blame_middle(arc) + " would be the edge of nothing");
     }
   }
   if (faults.empty()) {
@@ -264,7 +249,7 @@ LabelledDrawing search_figure(const FigureContext& context, const std::vector<Li
     }
     matching = matchings.next();
   }
-  const Trial failed = arrange(context, part, in_likeliest_shapes(cheapest), false);
+  const Arrangement failed = arrange(context, part, in_likeliest_shapes(cheapest), false);
   result.findings.push_back(no_labelling(context, part, failed));
   return result;
 }

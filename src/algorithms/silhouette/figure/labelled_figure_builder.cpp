@@ -44,9 +44,9 @@ struct Stacks {
   }
 };
 
-Stacks stacks_of(const Faces& faces, const Labelling& labelling) {
+Stacks stacks_of(const Arrangement& arrangement, const Labelling& labelling) {
   Stacks stacks;
-  for (const std::vector<int>& winding : faces.winding) {
+  for (const std::vector<int>& winding : arrangement.winding) {
     const std::vector<int>& side = labelling.side;
     const auto layers = static_cast<Index>(std::inner_product(winding.begin(), winding.end(), side.begin(), 0));
     stacks.layers.push_back(layers);
@@ -54,7 +54,7 @@ Stacks stacks_of(const Faces& faces, const Labelling& labelling) {
     stacks.first_pair.push_back(stacks.first_pair.back() + (layers == 0 ? 0 : layers * (layers - 1) / 2));
   }
   for (Index arc = 0; arc < labelling.depth.size(); ++arc) {
-    auto [more, fewer] = faces.beside_arc[arc];
+    auto [more, fewer] = arrangement.beside_arc[arc];
     if (stacks.layers[more] < stacks.layers[fewer]) std::swap(more, fewer);
     stacks.steps.push_back({more, fewer, static_cast<Index>(labelling.depth[arc])});
   }
@@ -90,7 +90,7 @@ const GluingStep& covered_step(const Stacks& stacks, const ContourCrossing::Stra
 }
 
 /// One overlap of components for each connected region of pairs of panels, placed in the largest triangle it covers.
-std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const Faces& faces, const Stacks& stacks) {
+std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const Stacks& stacks) {
   DisjointSets sets(stacks.first_pair.back());
   for (const GluingStep& step : stacks.steps) {
     stacks.pairs_of(step.more, [&](Index above, Index below) {
@@ -99,9 +99,9 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
     });
   }
   std::map<Index, std::pair<double, FigureOverlap>> regions;  // with the area of the triangle
-  for (Index t = 0; t < faces.of_triangle.size(); ++t) {
-    const Index f = faces.of_triangle[t];
-    const std::array<Index, 3>& corners = faces.triangulation.triangles[t];
+  for (Index t = 0; t < arrangement.faces.size(); ++t) {
+    const Index f = arrangement.faces[t];
+    const std::array<Index, 3>& corners = arrangement.triangulation.triangles[t];
     const Vec2& a = arrangement.points[corners[0]];
     const Vec2& b = arrangement.points[corners[1]];
     const Vec2& c = arrangement.points[corners[2]];
@@ -117,9 +117,9 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
   }
   // The sheets that end at a crossing lie above one another in one of the four faces around it: that pair of panels has
   // a corner there.
-  for (Index k = 0; k < arrangement.crossings.size(); ++k) {
-    const GluingStep& a = covered_step(stacks, arrangement.crossings[k].strands[0]);
-    const GluingStep& b = covered_step(stacks, arrangement.crossings[k].strands[1]);
+  for (Index k = 0; k < arrangement.contour_crossings.size(); ++k) {
+    const GluingStep& a = covered_step(stacks, arrangement.contour_crossings[k].strands[0]);
+    const GluingStep& b = covered_step(stacks, arrangement.contour_crossings[k].strands[1]);
     const auto [above, below] = std::minmax(a.depth, b.depth);
     regions.at(sets.root(stacks.pair(a.more, above, below))).second.crossings.push_back(k);
   }
@@ -131,10 +131,8 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const F
   return overlaps;
 }
 
-void add_labelled(const Arrangement& arrangement, const Labelling& labelling, LabelledFigure& figure) {
-  figure.contours = arrangement.contours;
+void add_labels(const Labelling& labelling, Arrangement& figure) {
   for (Index c = 0; c < figure.contours.size(); ++c) figure.contours[c].side = labelling.side[c];
-  figure.arcs = arrangement.arcs;
   for (Index e = 0; e < figure.arcs.size(); ++e) {
     FigureArc& arc = figure.arcs[e];
     arc.depth = labelling.depth[e];
@@ -143,8 +141,8 @@ void add_labelled(const Arrangement& arrangement, const Labelling& labelling, La
     std::vector<std::uint8_t>& drawn = figure.contours[arc.contour].drawn;
     for (Index k = 0; k < arc.count; ++k) drawn[(arc.begin + k) % drawn.size()] = 0;
   }
-  for (Index k = 0; k < arrangement.crossings.size(); ++k) {
-    const auto& strands = arrangement.crossings[k].strands;
+  for (Index k = 0; k < figure.contour_crossings.size(); ++k) {
+    const auto& strands = figure.contour_crossings[k].strands;
     const ContourCrossing::Strand& over = strands[labelling.is_swapped[k]];
     const ContourCrossing::Strand& under = strands[1 - labelling.is_swapped[k]];
     figure.crossings.push_back({k, over.contour, over.position, under.contour, under.position});
@@ -172,8 +170,7 @@ std::vector<Index> name_objects(const Drawing& drawing, const std::vector<std::v
 }
 
 /// @param component per contour
-void add_objects(const Drawing& drawing, const ClosedContours& closed, const std::vector<Index>& component,
-                 LabelledFigure& figure) {
+void add_objects(const Drawing& drawing, const std::vector<Index>& component, Arrangement& figure) {
   std::vector<std::vector<Index>> strokes(*std::ranges::max_element(component) + 1);
   for (Index c = 0; c < figure.contours.size(); ++c) {
     std::vector<Index>& own = strokes[component[c]];
@@ -187,7 +184,7 @@ void add_objects(const Drawing& drawing, const ClosedContours& closed, const std
     FigureObject& owner = figure.objects[contour.object];
     owner.strokes.insert(owner.strokes.end(), contour.strokes.begin(), contour.strokes.end());
     owner.contours.push_back(c);
-    const double turns = turning_of(closed.paths[c].points, true) / (2 * std::numbers::pi);
+    const double turns = turning_of(figure.paths[c].points, true) / (2 * std::numbers::pi);
     owner.euler_region += contour.side * static_cast<int>(std::lround(turns));
   }
   for (FigureObject& owner : figure.objects) std::ranges::sort(owner.strokes);
@@ -199,27 +196,20 @@ void add_objects(const Drawing& drawing, const ClosedContours& closed, const std
 
 }  // namespace
 
-std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& closed,
-                                           const Arrangement& arrangement, Faces faces, const Labelling& labelling) {
-  Stacks stacks = stacks_of(faces, labelling);
+std::optional<LabelledFigure> build_figure(const FigureContext& context, Arrangement arrangement,
+                                           const Labelling& labelling) {
+  Stacks stacks = stacks_of(arrangement, labelling);
   const std::optional<std::vector<Index>> component = glue_panels(arrangement, stacks);
   if (!component) return std::nullopt;
-  LabelledFigure figure;
-  figure.unit = context.scale.unit;
-  figure.step = context.scale.step;
-  figure.points = arrangement.points;
-  figure.segments = arrangement.segments;
-  figure.segment_arc = arrangement.segment_arc;
-  figure.completions = closed.completions;
-  for (const ContourPath& path : closed.paths) figure.raw_contours.push_back(path.raw);
-  add_labelled(arrangement, labelling, figure);
-  figure.panels = static_cast<int>(stacks.first_panel.back());
-  figure.overlaps = find_overlaps(arrangement, faces, stacks);
-  add_objects(context.drawing, closed, *component, figure);
-  for (const Index face : faces.of_triangle) figure.layers.push_back(static_cast<int>(stacks.layers[face]));
-  figure.faces = std::move(faces.of_triangle);
-  figure.triangulation = std::move(faces.triangulation);
-  return figure;
+  arrangement.unit = context.scale.unit;
+  arrangement.step = context.scale.step;
+  for (ContourPath& path : arrangement.paths) arrangement.raw_contours.push_back(std::move(path.raw));
+  add_labels(labelling, arrangement);
+  arrangement.panels = static_cast<int>(stacks.first_panel.back());
+  arrangement.overlaps = find_overlaps(arrangement, stacks);
+  add_objects(context.drawing, *component, arrangement);
+  for (const Index face : arrangement.faces) arrangement.layers.push_back(static_cast<int>(stacks.layers[face]));
+  return LabelledFigure(std::move(arrangement));
 }
 
 }  // namespace croquis::silhouette

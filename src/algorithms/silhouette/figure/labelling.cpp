@@ -19,7 +19,7 @@ namespace {
 /// Per contour those that cross it.
 std::vector<std::set<Index>> crossed_contours(const Arrangement& arrangement) {
   std::vector<std::set<Index>> crossed(arrangement.contours.size());
-  for (const auto& [strands, sign, over] : arrangement.crossings) {
+  for (const auto& [strands, sign, over] : arrangement.contour_crossings) {
     const auto [a, b] = std::pair(strands[0].contour, strands[1].contour);
     if (a == b) continue;
     crossed[a].insert(b);
@@ -30,15 +30,15 @@ std::vector<std::set<Index>> crossed_contours(const Arrangement& arrangement) {
 
 /// Per contour the smallest one that it lies in, no_index for none. Contours that don't cross lie in one another with
 /// all of their arcs or none.
-std::vector<Index> surrounding_contours(const Arrangement& arrangement, const Faces& faces,
-                                        const std::vector<double>& area, const std::vector<std::set<Index>>& crossed) {
+std::vector<Index> surrounding_contours(const Arrangement& arrangement, const std::vector<double>& area,
+                                        const std::vector<std::set<Index>>& crossed) {
   std::vector<Index> around(area.size(), no_index);
   for (Index c = 0; c < area.size(); ++c) {
-    const Index face = faces.beside_arc[arrangement.segment_arc[arrangement.first_segment[c]]].front();
+    const Index face = arrangement.beside_arc[arrangement.segment_arc[arrangement.first_segment[c]]].front();
     for (Index o = 0; o < area.size(); ++o) {
       if (o == c || std::abs(area[o]) <= std::abs(area[c]) || crossed[c].contains(o)) continue;
       const bool smallest = around[c] == no_index || std::abs(area[o]) < std::abs(area[around[c]]);
-      if (faces.winding[face][o] != 0 && smallest) around[c] = o;
+      if (arrangement.winding[face][o] != 0 && smallest) around[c] = o;
     }
   }
   return around;
@@ -77,7 +77,6 @@ struct Slack {
 /// The integer program and what its variables stand for.
 struct LabellingProgram {
   const Arrangement& arrangement;
-  const Faces& faces;
   LabellingRules rules;
   IntegerProgram program;
   std::vector<Index> depth;    ///< per arc
@@ -107,12 +106,12 @@ void add_depths(LabellingProgram& labels) {
 }
 
 void add_sides(LabellingProgram& labels) {
-  const Faces& faces = labels.faces;
-  const double whole = std::max(std::accumulate(faces.area.begin(), faces.area.end(), 0.0), 1e-300);
+  const std::vector<double>& area = labels.arrangement.area;
+  const double whole = std::max(std::accumulate(area.begin(), area.end(), 0.0), 1e-300);
   for (Index c = 0; c < labels.arrangement.contours.size(); ++c) {
     const int side = labels.arrangement.contours[c].side;
     double covered = 0;
-    for (std::size_t f = 0; f < faces.area.size(); ++f) covered += faces.area[f] * faces.winding[f][c] / whole;
+    for (std::size_t f = 0; f < area.size(); ++f) covered += area[f] * labels.arrangement.winding[f][c] / whole;
     labels.side.push_back(labels.program.add_variable(side > 0 ? 1 : 0, side < 0 ? 0 : 1, 2 * area_cost * covered));
   }
 }
@@ -133,7 +132,7 @@ void add_step(const ContourCrossing::Strand& strand, Index crossing, Terms terms
 /// (c) and (d), for each strand as the upper one: it is that where base + slope x = 1, and y is the product of this and
 /// its o.
 void add_crossing_rules(Index k, LabellingProgram& labels) {
-  const ContourCrossing& crossing = labels.arrangement.crossings[k];
+  const ContourCrossing& crossing = labels.arrangement.contour_crossings[k];
   IntegerProgram& program = labels.program;
   const Index x = labels.over[k];
   for (Index s = 0; s < 2; ++s) {
@@ -171,7 +170,7 @@ double add_layers(const LabellingProgram& labels, Index face, double factor, Ter
   if (labels.rules == LabellingRules::Blame) terms.push_back({labels.missing[face], factor});
   double turns = 0;
   for (Index c = 0; c < labels.side.size(); ++c) {
-    const int winding = labels.faces.winding[face][c];
+    const int winding = labels.arrangement.winding[face][c];
     if (winding != 0) terms.push_back({labels.side[c], 2 * factor * winding});
     turns += winding;
   }
@@ -180,7 +179,7 @@ double add_layers(const LabellingProgram& labels, Index face, double factor, Ter
 
 /// (a) and (b).
 void add_layer_rules(LabellingProgram& labels) {
-  for (Index f = 0; f < labels.faces.winding.size(); ++f) {
+  for (Index f = 0; f < labels.arrangement.winding.size(); ++f) {
     if (labels.rules == LabellingRules::Blame) {
       labels.missing.push_back(labels.add_slack(deepest, rule_cost, f, &Labelling::wrong_faces));
     }
@@ -191,20 +190,20 @@ void add_layer_rules(LabellingProgram& labels) {
   for (Index arc = 0; arc < labels.arrangement.arcs.size(); ++arc) {
     Terms terms{{labels.depth[arc], 2}};
     double turns = 0;
-    for (const Index face : labels.faces.beside_arc[arc]) turns += add_layers(labels, face, -1, terms);
+    for (const Index face : labels.arrangement.beside_arc[arc]) turns += add_layers(labels, face, -1, terms);
     labels.program.add_row(std::move(terms), -unbounded, turns - 1);
   }
 }
 
 }  // namespace
 
-std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vector<ContourPath>& paths,
-                                        const Faces& faces, Arrangement& arrangement) {
+std::vector<NestedOutline> read_nesting(const Drawing& drawing, Arrangement& arrangement) {
+  const std::vector<ContourPath>& paths = arrangement.paths;
   std::vector<double> area;
   area.reserve(paths.size());
   for (const ContourPath& path : paths) area.push_back(signed_area(path.points));
   const std::vector<std::set<Index>> crossed = crossed_contours(arrangement);
-  const std::vector<Index> around = surrounding_contours(arrangement, faces, area, crossed);
+  const std::vector<Index> around = surrounding_contours(arrangement, area, crossed);
   const auto is_open = [&](Index c) { return around[c] != no_index && paths[c].side == 0; };
   // From the outside in: what lies in a hole is no part of the surface around the hole.
   std::vector<std::pair<int, Index>> order;
@@ -233,16 +232,16 @@ std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vecto
   return nested;
 }
 
-Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules) {
-  LabellingProgram labels{arrangement, faces, rules, {}, {}, {}, {}, {}, {}};
+Labelling label_arrangement(const Arrangement& arrangement, LabellingRules rules) {
+  LabellingProgram labels{arrangement, rules, {}, {}, {}, {}, {}, {}};
   add_sides(labels);
-  for (const ContourCrossing& crossing : arrangement.crossings) {
+  for (const ContourCrossing& crossing : arrangement.contour_crossings) {
     labels.over.push_back(labels.program.add_variable(crossing.over == 0 ? 1 : 0, crossing.over == 1 ? 0 : 1, 0));
   }
   const Index first = labels.program.variable_count();  // all else follows from sides and what lies over what
   add_depths(labels);
-  for (Index k = 0; k < arrangement.crossings.size(); ++k) add_crossing_rules(k, labels);
-  if (!faces.winding.empty()) add_layer_rules(labels);
+  for (Index k = 0; k < arrangement.contour_crossings.size(); ++k) add_crossing_rules(k, labels);
+  if (!arrangement.winding.empty()) add_layer_rules(labels);
   const std::vector<int> values =
       labels.program.solve(rules == LabellingRules::Blame ? blaming_nodes : labelling_nodes, 0, first).values;
   Labelling result;

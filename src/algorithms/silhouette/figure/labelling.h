@@ -10,7 +10,7 @@
 
 namespace croquis::silhouette {
 
-/// Reads what the drawing leaves open: whether a closed outline within another, whose side no junction tells, bounds a
+/// Reads what the drawing leaves open: whether a closed outline within another, whose side no junction gives, bounds a
 /// hole or a part in front. Sets the sides of the arrangement's contours.
 ///
 /// A stroke's own "kind" decides, then its object: outlines of different named objects are no holes of each other. Else
@@ -18,8 +18,7 @@ namespace croquis::silhouette {
 /// ring for its hole, the more does whatever lies over it, or beside the hole in the same outline, speak for a part: a
 /// belly or an eye on a body rather than a ring.
 /// O(#nested * samples of the two contours).
-std::vector<NestedOutline> read_nesting(const Drawing& drawing, const std::vector<ContourPath>& paths,
-                                        const Faces& faces, Arrangement& arrangement);
+std::vector<NestedOutline> read_nesting(const Drawing& drawing, Arrangement& arrangement);
 
 /// The labelled figure's numbers; none where no labelling was found.
 struct Labelling {
@@ -48,15 +47,15 @@ enum class LabellingRules {
 ///   (f) visible arcs n = 0, hidden arcs n >= 1, unless what is drawn may be covered; sigma and the upper contour where
 ///   T-junctions give them
 /// minimising Σ n plus a little of the covered area, so that of two readings the one with a hole wins.
-/// @param arrangement its contours' sides are kept where they are known
-/// @param faces       where there are none, the rules of faces are left out
-Labelling label_arrangement(const Arrangement& arrangement, const Faces& faces, LabellingRules rules);
+/// @param arrangement its contours' sides are kept where they are known; where there are no faces, their rules are left
+/// out
+Labelling label_arrangement(const Arrangement& arrangement, LabellingRules rules);
 
 /// Puts the labelled figure together: contours, arcs and crossings as labelled, and the objects that its panels are
 /// glued to (Williams 1994): across an arc of depth n, from the side with more layers, panel i goes on as i for i < n
 /// and as i - 1 for i > n; panel n ends there. None when a contour would bound two components.
-std::optional<LabelledFigure> build_figure(const FigureContext& context, const ClosedContours& closed,
-                                           const Arrangement& arrangement, Faces faces, const Labelling& labelling);
+std::optional<LabelledFigure> build_figure(const FigureContext& context, Arrangement arrangement,
+                                           const Labelling& labelling);
 
 /// Name of the object that the strokes of one outline are forced into, empty for none.
 std::string object_of_strokes(const Drawing& drawing, const std::vector<Index>& strokes);
