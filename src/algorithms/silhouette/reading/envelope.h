@@ -22,6 +22,7 @@ struct Envelope {
   std::vector<EnclosedRegion> regions;  ///< largest first; specks are left out
   std::vector<double> seen;             ///< per stroke: share of all outlines' length that it makes
   std::vector<double> outside;          ///< per stroke: share of it that lies outside everything
+  double diagonal = 0;                  ///< of the drawing
 };
 
 /// Divides the plane into inside and outside by one minimum cut through the Delaunay triangulation of all lines'
