@@ -385,7 +385,7 @@ TEST_CASE("lines with hidden ends that cross in full view are not both contours 
   const auto contours = [](const Reading& reading) { return std::ranges::count(reading.kinds, LineKind::Contour); };
   const auto has_hidden_ends = [&](const Reading& reading, Index stroke) {
     return std::ranges::any_of(reading.meetings,
-                               [&](const EndMeeting& meeting) { return found.ends[meeting.end].stroke == stroke; });
+                               [&](Index meeting) { return found.ends[found.meetings[meeting].end].stroke == stroke; });
   };
   const std::optional<Reading> first = program.best();
   REQUIRE(first);

@@ -10,7 +10,6 @@
 #include "algorithms/silhouette/figure/figure_search.h"
 #include "algorithms/silhouette/figure/labelling.h"
 #include "algorithms/silhouette/reading/reading_lines.h"
-#include "algorithms/silhouette/reading/tube_outlines.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/abutting_lines.h"
@@ -137,10 +136,8 @@ bool is_scribble(const Material& material, Index stroke) {
   constexpr int least_crossings = 6;
   const StrokeKind told = material.sampled.strokes[stroke].told;
   if (told == StrokeKind::Detail || told == StrokeKind::Scribble) return told == StrokeKind::Scribble;
-  const auto crosses_itself = [&](const StrokeCrossing& crossing) {
-    return crossing.a == stroke && crossing.b == stroke && crossing.count >= least_crossings;
-  };
-  return std::ranges::any_of(material.connections.crossings, crosses_itself);
+  const auto with_itself = material.connections.crossings.find({stroke, stroke});
+  return with_itself != material.connections.crossings.end() && with_itself->second >= least_crossings;
 }
 
 /// Closed outlines within others.
@@ -233,7 +230,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
     for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }
   meet_bars(lines, contours.targets, scale);
-  for (CleanLine& line : tube_outlines(material.sampled, reading, lines)) lines.push_back(std::move(line));
+  for (CleanLine& line : tube_outlines(material.sampled, reading, lines, material.envelope.diagonal))
+    lines.push_back(std::move(line));
   if (material.options.attach_suggested) lead_into_neighbours(lines, contours.targets, scale);
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);

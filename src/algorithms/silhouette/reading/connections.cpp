@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <map>
-#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -45,7 +43,7 @@ constexpr double plain_margin = 0.6;
 constexpr double longest_hidden = 40;
 constexpr double usual_spacing = 100, least_spacing = 4;  // u
 constexpr double shortest_hidden = 0.1;                   // u
-constexpr std::ptrdiff_t most_hidden = 7;
+constexpr std::size_t most_hidden = 7;
 
 /// Where an open stroke begins or ends that wasn't drawn over another one.
 std::vector<LineEnd> ends_of(const std::vector<SampledStroke>& strokes, const std::vector<Index>& doubled,
@@ -57,10 +55,9 @@ std::vector<LineEnd> ends_of(const std::vector<SampledStroke>& strokes, const st
     const double bend = std::min(bend_reach * unit, chord_share / 2 * stroke.length);
     const double chord = std::min(chord_reach * unit, chord_share * stroke.length);
     for (const bool at_start : {true, false}) {
-      ends.push_back({s,
-                      at_start,
-                      at_start ? stroke.points.front() : stroke.points.back(),
-                      {end_tangent(stroke.points, at_start, bend), end_chord(stroke.points, at_start, chord)}});
+      const Vec2& place = at_start ? stroke.points.front() : stroke.points.back();
+      const Vec2 near = end_tangent(stroke.points, at_start, bend), far = end_chord(stroke.points, at_start, chord);
+      ends.push_back({s, at_start, place, {near, far}});
     }
   }
   return ends;
@@ -114,8 +111,8 @@ void drop_beside_plain_joins(Connections& found) {
   std::erase_if(found.meetings, [&](const EndMeeting& meeting) { return partner[meeting.end] != no_index; });
 }
 
-/// The pairs of ends that hidden pieces may join, the cheapest few of each end.
-std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
+/// Adds the pairs of ends that hidden pieces may join, the cheapest few of each end.
+void add_hidden(double unit, Connections& found) {
   std::vector<const EndMeeting*> likeliest;  // of each end; meetings are sorted by end
   for (const EndMeeting& meeting : found.meetings) {
     if (likeliest.empty() || likeliest.back()->end != meeting.end) likeliest.push_back(&meeting);
@@ -129,7 +126,7 @@ std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
   }
   const double reference =
       std::max(typical_spacing(places, likely).value_or(usual_spacing * unit), least_spacing * unit);
-  std::vector<std::vector<HiddenPair>> of_end(found.ends.size());
+  std::vector<std::vector<EndJoin>> of_end(found.ends.size());
   for (const EndMeeting* from : likeliest) {
     for (const EndMeeting* to : likeliest) {
       const double distance = (to->at - from->at).norm();
@@ -138,21 +135,18 @@ std::vector<HiddenPair> hidden_pairs(const Connections& found, double unit) {
       const LineEnd& b = found.ends[to->end];
       double cost = completion_cost(completion_curve(from->at, a.outward[0], to->at, b.outward[0]), 0, reference, {});
       if (a.stroke == b.stroke) cost = std::min(cost, costs::hidden_of_one_stroke);
-      const HiddenPair pair{from->end, to->end, costs::flattened(costs::hidden * cost)};
-      of_end[pair.a].push_back(pair);
-      of_end[pair.b].push_back(pair);
+      for (const Index end : {from->end, to->end}) {
+        of_end[end].push_back({from->end, to->end, costs::flattened(costs::hidden * cost)});
+      }
     }
   }
-  std::vector<HiddenPair> kept;
-  for (std::vector<HiddenPair>& pairs : of_end) {
-    std::ranges::sort(pairs, {}, [](const HiddenPair& pair) { return std::tuple(pair.cost, pair.a, pair.b); });
-    kept.insert(kept.end(), pairs.begin(), pairs.begin() + std::min(std::ssize(pairs), most_hidden));
+  std::map<std::pair<Index, Index>, double> kept;
+  for (std::vector<EndJoin>& pairs : of_end) {
+    std::ranges::sort(pairs, {}, [](const EndJoin& pair) { return std::tuple(pair.cost, pair.a, pair.b); });
+    const auto cheapest = std::span(pairs).first(std::min(pairs.size(), most_hidden));
+    for (const EndJoin& pair : cheapest) kept[{pair.a, pair.b}] = pair.cost;
   }
-  const auto ends = [](const HiddenPair& pair) { return std::pair(pair.a, pair.b); };
-  std::ranges::sort(kept, {}, ends);
-  const auto alike = [&](const HiddenPair& one, const HiddenPair& other) { return ends(one) == ends(other); };
-  kept.erase(std::unique(kept.begin(), kept.end(), alike), kept.end());
-  return kept;
+  for (const auto& [ends, cost] : kept) found.hidden.push_back({ends.first, ends.second, cost});
 }
 
 /// The strokes, and the segments of those that weren't drawn over others.
@@ -175,27 +169,14 @@ struct DrawnStrokes {
   }
 };
 
-std::vector<GridSegment> segments_but_doubled(const std::vector<SampledStroke>& strokes,
-                                              const std::vector<Index>& doubled) {
-  std::vector<GridSegment> all = segments_of(strokes);
-  std::erase_if(all, [&](const GridSegment& segment) { return doubled[segment.line] != no_index; });
-  return all;
-}
-
-std::vector<StrokeCrossing> crossings_of(const SegmentGrid& grid) {
-  std::map<std::pair<Index, Index>, int> counts;
-  for (const SegmentContact& contact : find_contacts(grid)) ++counts[{contact.a.line, contact.b.line}];
-  std::vector<StrokeCrossing> crossings;
-  for (const auto& [pair, count] : counts) crossings.push_back({pair.first, pair.second, count});
-  return crossings;
-}
-
-/// The cost and gap of a join of two ends; none where they are too far apart or in two objects.
-std::optional<EndJoin> join_of(const DrawnStrokes& drawn, const LineEnd& a, const LineEnd& b) {
+/// Joins two ends unless they are too far apart or in two objects.
+void add_join(const DrawnStrokes& drawn, Index first_end, Index second_end, Connections& found) {
   const DrawingScale& scale = drawn.scale;
+  const LineEnd& a = found.ends[first_end];
+  const LineEnd& b = found.ends[second_end];
   const SampledStroke& first = drawn.strokes[a.stroke];
   const SampledStroke& second = drawn.strokes[b.stroke];
-  if (!first.object.empty() && !second.object.empty() && first.object != second.object) return std::nullopt;
+  if (!first.object.empty() && !second.object.empty() && first.object != second.object) return;
   const double distance = (b.place - a.place).norm();
   const bool closing = a.stroke == b.stroke;
   const double usual = closing ? std::max(scale.gap, scale.close_share * first.length)
@@ -203,35 +184,16 @@ std::optional<EndJoin> join_of(const DrawnStrokes& drawn, const LineEnd& a, cons
   const double widest = closing ? std::max(scale.close, farthest_closing * first.length)
                                 : std::max({farthest_gap * usual, least_farthest_gap * scale.unit,
                                             farthest_opening * std::min(first.length, second.length)});
-  if (distance > widest) return std::nullopt;
+  if (distance > widest) return;
   const double share = distance / usual;
   const double weight = distance > negligible_gap * scale.unit ? std::min(1.0, share) : 0;
   double cost = costs::gap * (closing || share > farthest_gap ? costs::opening(share) : costs::miss(share));
-  cost += (closing ? costs::turn_of_closing : costs::turn) * turn_between(a, b, weight);
+  cost += costs::turn * turn_between(a, b, weight);
   if (drawn.is_blocked(a.place, b.place, a.stroke, b.stroke)) cost += costs::line_between;
-  return EndJoin{0, 0, std::min(1.0, share), cost};
+  found.joins.push_back({first_end, second_end, cost, std::min(1.0, share)});
 }
 
-/// Adds the ways in which an end may meet a segment, behind either of its sides.
-/// @param back the end's stroke, the end first
-void add_meetings(const DrawnStrokes& drawn, const LineEnd& end, const Points& back, const GridSegment& segment,
-                  std::vector<EndMeeting>& meetings) {
-  const double usual = drawn.reach(end.stroke, segment.line);
-  // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about where that is.
-  const Vec2 direction = (segment.b - segment.a).normalized();
-  const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
-  for (const EndHit& hit : end_hits(back, end.outward, farthest_miss * usual, segment.a, segment.b)) {
-    const bool beside = hit.way == EndHit::Way::Beside;
-    if (beside && hit.along >= usual) continue;
-    const double miss = costs::junction_miss * costs::miss(std::abs(hit.along) / usual);
-    for (const int side : {1, -1}) {
-      const double against = costs::against_heading * std::max(0.0, -side * heading_left);
-      const double cost = miss + (beside ? costs::beside : 0) + against;
-      meetings.push_back({0, segment.line, hit.at, side, hit.along, cost});
-    }
-  }
-}
-
+/// What it costs that an end passes behind a line at that place.
 double place_cost(const DrawnStrokes& drawn, const LineEnd& end, const EndMeeting& meeting) {
   const SampledStroke& bar = drawn.strokes[meeting.bar];
   double cost = costs::junction + (meeting.bar == end.stroke ? costs::own_line : 0);
@@ -243,39 +205,44 @@ double place_cost(const DrawnStrokes& drawn, const LineEnd& end, const EndMeetin
   return blocked ? cost + costs::line_before_bar : cost;
 }
 
-/// What an end may pass behind: on each side of each line the cheapest place.
+/// Adds what an end may pass behind: on each side of each line the cheapest place.
 /// @param farthest that any end is from what it passes behind
-std::vector<EndMeeting> meetings_of(const DrawnStrokes& drawn, const LineEnd& end, double farthest) {
+void add_meetings(const DrawnStrokes& drawn, Index which, double farthest, Connections& found) {
+  const LineEnd& end = found.ends[which];
   Points back = drawn.strokes[end.stroke].points;
   if (!end.at_start) std::ranges::reverse(back);
   const double own_bit = 3 * drawn.reach(end.stroke, end.stroke);
-  std::map<Index, std::vector<EndMeeting>> of_bar;
+  std::map<std::pair<Index, int>, std::vector<EndMeeting>> candidates;  // by bar and side
   const Vec2 around = Vec2::Constant(farthest);
   drawn.grid.near_box(end.place - around, end.place + around, [&](Index i) {
     const GridSegment& segment = drawn.grid.segments()[i];
     // A line passes behind its own other parts, not behind its end.
     const auto last = static_cast<Index>(back.size() - 2);
     const Index from_end = end.at_start ? segment.position : last - segment.position;
-    if (segment.line != end.stroke || drawn.scale.step / 2 * from_end > own_bit)
-      add_meetings(drawn, end, back, segment, of_bar[segment.line]);
+    if (segment.line == end.stroke && drawn.scale.step / 2 * from_end <= own_bit) return;
+    const double usual = drawn.reach(end.stroke, segment.line);
+    // The stem comes from where the bar's surface isn't; an unsteady hand's last samples say little about that.
+    const Vec2 direction = (segment.b - segment.a).normalized();
+    const double heading_left = (cross(direction, end.outward[0]) + cross(direction, end.outward[1])) / 2;
+    for (const EndHit& hit : end_hits(back, end.outward, farthest_miss * usual, segment.a, segment.b)) {
+      const bool beside = hit.way == EndHit::Way::Beside;
+      if (beside && hit.along >= usual) continue;
+      const double miss = costs::junction_miss * costs::miss(std::abs(hit.along) / usual);
+      for (const int side : {-1, 1}) {
+        const double against = costs::against_heading * std::max(0.0, -side * heading_left);
+        const double cost = miss + (beside ? costs::beside : 0) + against;
+        candidates[{segment.line, side}].push_back({which, segment.line, hit.at, side, hit.along, cost});
+      }
+    }
   });
-  std::vector<EndMeeting> found;
-  for (auto& [bar, meetings] : of_bar) {
+  for (auto& [bar_and_side, meetings] : candidates) {
     const bool crossed = std::ranges::any_of(meetings, [](const EndMeeting& meeting) { return meeting.along < 0; });
-    for (EndMeeting& meeting : meetings) {
-      if (crossed && meeting.along > 0) meeting.cost += costs::bar_crossed;
-    }
-    for (const int side : {-1, 1}) {
-      const auto cost_there = [side](const EndMeeting& meeting) {
-        return meeting.side == side ? meeting.cost : infinity;
-      };
-      const auto best = std::ranges::min_element(meetings, {}, cost_there);
-      if (best == meetings.end() || cost_there(*best) >= dearest_meeting) continue;
-      found.push_back(*best);
-      found.back().cost += place_cost(drawn, end, *best);
-    }
+    for (EndMeeting& meeting : meetings) meeting.cost += crossed && meeting.along > 0 ? costs::bar_crossed : 0;
+    EndMeeting best = *std::ranges::min_element(meetings, {}, &EndMeeting::cost);
+    if (best.cost >= dearest_meeting) continue;
+    best.cost += place_cost(drawn, end, best);
+    found.meetings.push_back(best);
   }
-  return found;
 }
 
 }  // namespace
@@ -285,28 +252,23 @@ Connections find_connections(const std::vector<SampledStroke>& strokes, const Dr
   Connections found;
   found.doubled = doubled_strokes(strokes, scale);
   found.ends = ends_of(strokes, found.doubled, scale.unit);
-  const DrawnStrokes drawn{strokes, scale, SegmentGrid(segments_but_doubled(strokes, found.doubled), scale.step)};
-  found.crossings = crossings_of(drawn.grid);
+  std::vector<GridSegment> segments = segments_of(strokes);
+  std::erase_if(segments, [&](const GridSegment& segment) { return found.doubled[segment.line] != no_index; });
+  const DrawnStrokes drawn{strokes, scale, SegmentGrid(std::move(segments), scale.step)};
+  for (const SegmentContact& contact : find_contacts(drawn.grid)) ++found.crossings[{contact.a.line, contact.b.line}];
   progress.check();
   for (Index a = 0; a < found.ends.size(); ++a) {
-    for (Index b = a + 1; b < found.ends.size(); ++b) {
-      const std::optional<EndJoin> join = join_of(drawn, found.ends[a], found.ends[b]);
-      if (join) found.joins.push_back({a, b, join->gap, join->cost});
-    }
+    for (Index b = a + 1; b < found.ends.size(); ++b) add_join(drawn, a, b, found);
   }
   progress.check();
   double largest = 0;
   for (const SampledStroke& stroke : strokes) largest = std::max(largest, stroke.size);
-  for (Index end = 0; end < found.ends.size(); ++end) {
-    for (EndMeeting& meeting : meetings_of(drawn, found.ends[end], farthest_miss * scale.reach(largest))) {
-      meeting.end = end;
-      found.meetings.push_back(meeting);
-    }
-  }
+  const double farthest = farthest_miss * scale.reach(largest);
+  for (Index end = 0; end < found.ends.size(); ++end) add_meetings(drawn, end, farthest, found);
   doubt_joins_at_lines(found);
   drop_beside_plain_joins(found);
   progress.check();
-  found.hidden = hidden_pairs(found, scale.unit);
+  add_hidden(scale.unit, found);
   return found;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
@@ -20,12 +22,13 @@ struct LineEnd {
   std::array<Vec2, 2> outward{Vec2::Zero(), Vec2::Zero()};  ///< unit, over the last bit and over a longer one
 };
 
-/// Two ends that may be one place of one line. Ends are positions in Connections::ends.
+/// Two ends that may be one place of one line, or that a hidden piece may join. Ends are positions in
+/// Connections::ends.
 struct EndJoin {
   Index a = 0;  ///< a < b
   Index b = 0;
-  double gap = 0;  ///< in parts of what hands miss by, at most 1
   double cost = 0;
+  double gap = 0;  ///< in parts of what hands miss by, at most 1; 0 of hidden pieces
 };
 
 /// An end that may pass behind a line.
@@ -38,27 +41,13 @@ struct EndMeeting {
   double cost = 0;
 };
 
-/// Two ends that a hidden piece may join.
-struct HiddenPair {
-  Index a = 0;
-  Index b = 0;
-  double cost = 0;
-};
-
-/// Strokes that cross in full view; a == b for one that crosses itself.
-struct StrokeCrossing {
-  Index a = 0;
-  Index b = 0;
-  int count = 0;
-};
-
 struct Connections {
   std::vector<LineEnd> ends;  ///< of open strokes that aren't doubled, in their order: start, end
   std::vector<EndJoin> joins;
   std::vector<EndMeeting> meetings;
-  std::vector<HiddenPair> hidden;
-  std::vector<StrokeCrossing> crossings;
-  std::vector<Index> doubled;  ///< per stroke, see `doubled_strokes`
+  std::vector<EndJoin> hidden;                       ///< pairs that hidden pieces may join
+  std::map<std::pair<Index, Index>, int> crossings;  ///< of strokes in full view: how many; (s, s) of s with itself
+  std::vector<Index> doubled;                        ///< per stroke, see `doubled_strokes`
 };
 
 /// Near O(n) for evenly spread samples. Ends that plainly go on as one another have no other candidates.

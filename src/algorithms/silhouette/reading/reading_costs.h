@@ -14,18 +14,17 @@ inline double miss(double share) { return share < 1 ? share * share : 2 * share 
 /// The same of the gap that an outline left open: beyond what hands miss by, its width says less and less.
 inline double opening(double share) { return share < 1 ? share * share : 1 + 2 * std::log(share); }
 
-/// How the cost of a long hidden piece grows: that two ends belong together is seldom told by distance alone.
+/// How the cost of a long hidden piece grows: distance alone seldom says whether two ends belong together.
 inline double flattened(double cost) { return cost < 1 ? cost : 1 + 0.5 * std::log(cost); }
 
 // Ends that meet.
-inline constexpr double gap = 0.7;              ///< times miss()
-inline constexpr double turn = 1.9;             ///< times 1 - cosine of the turn
-inline constexpr double turn_of_closing = 1.9;  ///< the same where a stroke closes itself: it may have a corner
-inline constexpr double line_between = 1.5;     ///< another line crosses the gap
-inline constexpr double line_at_gap = 1.5;      ///< each end that lies on a line, times the gap in what hands miss by
-inline constexpr double opening_within = 1;     ///< a gap that hands don't leave, of what lies within everything
-inline constexpr double chance_meeting = 0.7;   ///< an end lies on a line when passing behind it would cost less
-inline constexpr double overshoot = 0.3;        ///< both run on beyond the place where they meet
+inline constexpr double gap = 0.7;             ///< times miss()
+inline constexpr double turn = 1.9;            ///< times 1 - cosine of the turn
+inline constexpr double line_between = 1.5;    ///< another line crosses the gap
+inline constexpr double line_at_gap = 1.5;     ///< each end that lies on a line, times the gap in what hands miss by
+inline constexpr double opening_within = 1;    ///< a gap that hands don't leave, of what lies within everything
+inline constexpr double chance_meeting = 0.7;  ///< an end lies on a line when passing behind it would cost less
+inline constexpr double overshoot = 0.3;       ///< both run on beyond the place where they meet
 
 // Ends that pass behind a line.
 inline constexpr double junction = 0.15;      ///< each

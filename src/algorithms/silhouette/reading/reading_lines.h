@@ -23,4 +23,12 @@ struct ContourLines {
 ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled, const Connections& connections,
                            const Envelope& envelope, const Reading& reading, int passes, const Progress& progress);
 
+/// The outlines of the limbs that were drawn as one line: everything within half a limb's width of them, where they
+/// leave what the contours bound, and a bit of it within, so that they grow out of it. Limbs that touch are one.
+/// @param contours of the drawing, any number of them open
+/// @param diagonal of the drawing
+/// @returns closed lines, counter-clockwise, samples a step apart
+std::vector<CleanLine> tube_outlines(const SampledDrawing& sampled, const Reading& reading,
+                                     const std::vector<CleanLine>& contours, double diagonal);
+
 }  // namespace croquis::silhouette

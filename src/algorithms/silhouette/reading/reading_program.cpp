@@ -3,11 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 #include "algorithms/silhouette/reading/reading_costs.h"
 #include "croquis/geometry/disjoint_sets.h"
@@ -28,10 +24,8 @@ constexpr double reading_gap = 0.003;
 constexpr double sided_share = 0.5;
 // A stroke that costs so much more as a contour than otherwise is none, even where others could pass behind it.
 constexpr double hopeless = 3;
-
 // An end that is cut off at a bar takes a crossing with it that lies within this share of what is cut off.
 constexpr double cut_share = 0.9;
-
 // A stroke lies on an outline that shares this much of the length of the shorter one.
 constexpr double least_shared = 0.04;
 
@@ -52,17 +46,7 @@ bool allowed(StrokeKind told, LineKind kind) {
   return true;
 }
 
-bool contains(const std::vector<EndJoin>& joins, const EndJoin& join) {
-  return std::ranges::any_of(joins, [&](const EndJoin& other) { return other.a == join.a && other.b == join.b; });
-}
-
-bool contains(const std::vector<EndMeeting>& meetings, const EndMeeting& meeting) {
-  return std::ranges::any_of(meetings, [&](const EndMeeting& other) {
-    return other.end == meeting.end && other.bar == meeting.bar && other.side == meeting.side;
-  });
-}
-
-constexpr std::size_t on_left = 0, on_right = 1;
+constexpr Index on_left = 0, on_right = 1;
 
 void add_terms(const std::array<Index, 2>& variables, double factor, std::vector<Term>& row) {
   row.push_back({variables[on_left], factor});
@@ -74,18 +58,18 @@ double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, pa
 }  // namespace
 
 /// What is measured of a stroke, once.
-struct ReadingProgram::Features {
+struct StrokeFeatures {
   bool closed = false;
-  double size = 0;       ///< in parts of the drawing's
-  double length = 0;     ///< in parts of all lines'
-  double width = 0;      ///< of what it encloses, in parts of the drawing's size
-  double seen = 0;       ///< see Envelope
-  double outside = 0;    ///< see Envelope
-  double shared = 0;     ///< the largest share of it on one outline
-  double crossings = 0;  ///< what they cost
-  double hanging = 0;    ///< how much of the drawing's length the strokes that touch one another up to it are
-  double pattern = 0;    ///< how much it is one of many curls or spots within everything
-  int side = 0;          ///< where the surface lies as the region that it bounds tells: left (+1), right (-1), or 0
+  double size = 0;               ///< in parts of the drawing's
+  double length = 0;             ///< in parts of all lines'
+  double width = 0;              ///< of what it encloses, in parts of the drawing's size
+  double seen = 0;               ///< see Envelope
+  double outside = 0;            ///< see Envelope
+  double shared = 0;             ///< the largest share of it on one outline
+  double crossings = 0;          ///< what they cost
+  double hanging = 0;            ///< how much of the drawing's length the strokes that touch one another up to it are
+  double pattern = 0;            ///< how much it is one of many curls or spots within everything
+  int side = 0;                  ///< where the region that it bounds has its surface: left (+1), right (-1), or 0
   std::vector<Index> regions{};  ///< on whose outlines it lies
 
   bool is_within() const { return seen == 0 && outside == 0; }
@@ -113,38 +97,22 @@ struct ReadingProgram::Features {
     }
     return 0;
   }
-
-  double least_other_cost() const {
-    const double otherwise = std::min(cost(LineKind::Detail), cost(LineKind::Ignored));
-    return closed ? otherwise : std::min(otherwise, cost(LineKind::Tube));
-  }
 };
 
-ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
-                               const Envelope& envelope)
-    : strokes_(strokes), connections_(connections) {
-  const std::vector<Features> features = measure(envelope);
-  for (const Features& stroke : features) can_be_limb_.push_back(!stroke.closed && stroke.hanging >= 1 ? 1 : 0);
-  add_strokes(features);
-  add_regions(features, envelope.regions.size());
-  add_connections(features);
-}
+namespace {
 
-std::vector<ReadingProgram::Features> ReadingProgram::measure(const Envelope& envelope) const {
-  Eigen::AlignedBox2d box;
+/// Of all strokes.
+std::vector<StrokeFeatures> features_of(const std::vector<SampledStroke>& strokes, const Connections& found,
+                                        const Envelope& envelope) {
   double total = 0;
-  DisjointSets things(strokes_.size());
-  for (const SampledStroke& stroke : strokes_) {
-    total += stroke.length;
-    for (const Vec2& point : stroke.points) box.extend(point);
-  }
-  const double extent = box.diagonal().norm();
-  std::vector<Features> all;
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    const SampledStroke& line = strokes_[s];
-    const double width = 2 * std::abs(signed_area(line.points)) / line.length / extent;
-    Features& own = all.emplace_back(Features{line.closed, share_in(line.size, extent), share_in(line.length, total),
-                                              width, envelope.seen[s], envelope.outside[s]});
+  for (const SampledStroke& stroke : strokes) total += stroke.length;
+  std::vector<StrokeFeatures> all;
+  for (Index s = 0; s < strokes.size(); ++s) {
+    const SampledStroke& line = strokes[s];
+    const double width = 2 * std::abs(signed_area(line.points)) / line.length / envelope.diagonal;
+    StrokeFeatures& own =
+        all.emplace_back(StrokeFeatures{line.closed, share_in(line.size, envelope.diagonal),
+                                        share_in(line.length, total), width, envelope.seen[s], envelope.outside[s]});
     double left = 0;
     for (Index r = 0; r < envelope.regions.size(); ++r) {
       const EnclosedRegion& region = envelope.regions[r];
@@ -155,75 +123,82 @@ std::vector<ReadingProgram::Features> ReadingProgram::measure(const Envelope& en
     }
     if (std::abs(left) >= sided_share * line.length) own.side = left > 0 ? 1 : -1;
   }
-  for (const auto& [a, b, count] : connections_.crossings) {
+  DisjointSets things(strokes.size());
+  for (const auto& [pair, count] : found.crossings) {
+    const auto& [a, b] = pair;
     things.unite(a, b);
-    const Index smaller = strokes_[a].size < strokes_[b].size ? a : b;  // that is to blame
+    const Index smaller = strokes[a].size < strokes[b].size ? a : b;  // that is to blame
     all[smaller].crossings += a == b ? costs::own_crossing * std::min(count, costs::most_own_crossings)
                                      : costs::crossing * std::min(count, costs::most_crossings);
   }
-  for (const EndMeeting& meeting : connections_.meetings) things.unite(stroke_of(meeting.end), meeting.bar);
-  for (const EndJoin& join : connections_.joins) {
-    if (join.gap < 1) things.unite(stroke_of(join.a), stroke_of(join.b));
+  for (const EndMeeting& meeting : found.meetings) things.unite(found.ends[meeting.end].stroke, meeting.bar);
+  for (const EndJoin& join : found.joins) {
+    if (join.gap < 1) things.unite(found.ends[join.a].stroke, found.ends[join.b].stroke);
   }
   // Strokes that touch one another hang on the drawing where one of them lies on the outline of a region, or where they
   // are half of the drawing themselves, such as a man of sticks.
-  std::vector<double> hanging(strokes_.size(), 0);
+  std::vector<double> hanging(strokes.size(), 0);
   for (Index s = 0; s < all.size(); ++s) hanging[things.root(s)] += all[s].regions.empty() ? 2 * all[s].length : 1;
-  for (Index s = 0; s < all.size(); ++s) {
-    constexpr double alike = 2, least = 4, most = 7;  // a face has four
-    all[s].hanging = std::min(1.0, hanging[things.root(s)]);
-    const auto is_alike = [&](const Features& other) {
-      const double ratio = other.size / all[s].size;
+  for (Index s = 0; s < all.size(); ++s) all[s].hanging = std::min(1.0, hanging[things.root(s)]);
+  constexpr double alike = 2, least = 4, most = 7;  // a face has four
+  for (StrokeFeatures& own : all) {
+    const auto others = std::ranges::count_if(all, [&](const StrokeFeatures& other) {
+      const double ratio = other.size / own.size;
       return other.is_within() && ratio < alike && ratio > 1 / alike;
-    };
-    const auto others = std::ranges::count_if(all, is_alike) - 1;
-    if (all[s].is_within())
-      all[s].pattern = std::clamp((static_cast<double>(others) - least) / (most - least), 0.0, 1.0);
+    });
+    if (own.is_within()) own.pattern = std::clamp((static_cast<double>(others) - 1 - least) / (most - least), 0.0, 1.0);
   }
   return all;
 }
 
 /// Per stroke: what it costs at least as a contour, with the cheapest meaning of its ends.
-std::vector<double> ReadingProgram::least_contour_costs(const std::vector<Features>& features) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> end(connections_.ends.size(), infinity), hidden(connections_.ends.size(), infinity);
-  const auto lower = [](double& least, double cost) { least = std::min(least, cost); };
-  for (const HiddenPair& pair : connections_.hidden) {
-    lower(hidden[pair.a], pair.cost / 2);
-    lower(hidden[pair.b], pair.cost / 2);
-  }
-  for (const EndMeeting& meeting : connections_.meetings) lower(end[meeting.end], meeting.cost + hidden[meeting.end]);
-  for (const EndJoin& join : connections_.joins) {
-    lower(end[join.a], join.cost / 2);
-    lower(end[join.b], join.cost / 2);
+std::vector<double> least_contour_costs(const std::vector<StrokeFeatures>& features, const Connections& found) {
+  std::vector<double> end(found.ends.size(), IntegerProgram::unbounded), hidden = end;
+  const auto lower = [](std::vector<double>& least, const EndJoin& pair) {
+    for (const Index e : {pair.a, pair.b}) least[e] = std::min(least[e], pair.cost / 2);
+  };
+  for (const EndJoin& pair : found.hidden) lower(hidden, pair);
+  for (const EndJoin& join : found.joins) lower(end, join);
+  for (const EndMeeting& meeting : found.meetings) {
+    end[meeting.end] = std::min(end[meeting.end], meeting.cost + hidden[meeting.end]);
   }
   std::vector<double> least;
-  for (const Features& stroke : features) least.push_back(stroke.cost(LineKind::Contour));
-  for (Index e = 0; e < connections_.ends.size(); ++e) least[stroke_of(e)] += end[e];
+  for (const StrokeFeatures& stroke : features) least.push_back(stroke.cost(LineKind::Contour));
+  for (Index e = 0; e < end.size(); ++e) least[found.ends[e].stroke] += end[e];
   return least;
 }
 
-void ReadingProgram::add_strokes(const std::vector<Features>& features) {
-  const std::vector<double> least = least_contour_costs(features);
+}  // namespace
+
+ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
+                               const Envelope& envelope)
+    : strokes_(strokes), connections_(connections) {
+  const std::vector<StrokeFeatures> features = features_of(strokes, connections, envelope);
+  for (const StrokeFeatures& own : features) can_be_limb_.push_back(!own.closed && own.hanging >= 1 ? 1 : 0);
+  add_strokes(features);
+  add_regions(features, envelope.regions.size());
+  add_connections(features);
+}
+
+void ReadingProgram::add_strokes(const std::vector<StrokeFeatures>& features) {
+  const std::vector<double> least = least_contour_costs(features, connections_);
   for (Index s = 0; s < strokes_.size(); ++s) {
-    const int known = features[s].side;
-    const bool told = strokes_[s].told != StrokeKind::Visible;
-    const bool is_hopeless = !told && least[s] > features[s].least_other_cost() + hopeless;
+    const StrokeFeatures& own = features[s];
+    const double cost_as_tube = own.closed ? IntegerProgram::unbounded : own.cost(LineKind::Tube);
+    const double otherwise = std::min({own.cost(LineKind::Detail), own.cost(LineKind::Ignored), cost_as_tube});
+    const bool is_hopeless = strokes_[s].told == StrokeKind::Visible && least[s] > otherwise + hopeless;
     std::array<Sides, kind_count> kinds{};
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
       const auto kind = static_cast<LineKind>(k);
       const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
-                            : kind == LineKind::Region          ? !features[s].regions.empty()
-                            : kind == LineKind::Tube            ? !strokes_[s].closed
+                            : kind == LineKind::Region          ? !own.regions.empty()
+                            : kind == LineKind::Tube            ? !own.closed
                                                                 : kind != LineKind::Contour || !is_hopeless;
       const double most = possible && allowed(strokes_[s].told, kind) ? 1 : 0;
-      if (kind == LineKind::Contour || kind == LineKind::Region) {
-        kinds[k][on_left] = program_.add_variable(0, known < 0 ? 0 : most, features[s].cost(kind));
-        kinds[k][on_right] = program_.add_variable(0, known > 0 ? 0 : most, features[s].cost(kind));
-      } else {
-        kinds[k].fill(program_.add_variable(0, most, features[s].cost(kind)));
-      }
+      const bool bounds = kind == LineKind::Contour || kind == LineKind::Region;
+      kinds[k].fill(program_.add_variable(0, bounds && own.side < 0 ? 0 : most, own.cost(kind)));
+      if (bounds) kinds[k][on_right] = program_.add_variable(0, own.side > 0 ? 0 : most, own.cost(kind));
       add_terms(kinds[k], 1, one);
     }
     program_.add_row(one, 1, 1);
@@ -232,14 +207,15 @@ void ReadingProgram::add_strokes(const std::vector<Features>& features) {
   kinds_end_ = program_.variable_count();
 }
 
-void ReadingProgram::add_regions(const std::vector<Features>& features, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) region_.push_back(program_.add_variable(0, 1, costs::region));
+void ReadingProgram::add_regions(const std::vector<StrokeFeatures>& features, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) region_.emplace_back().fill(program_.add_variable(0, 1, costs::region));
   for (Index s = 0; s < strokes_.size(); ++s) {
     std::vector<Term> needs_one;
     add_terms(variables(s, LineKind::Region), 1, needs_one);
     for (const Index k : features[s].regions) {
-      needs_one.push_back({region_[k], -1});
-      std::vector<Term> either{{region_[k], 1}};
+      add_terms(region_[k], -1, needs_one);
+      std::vector<Term> either;
+      add_terms(region_[k], 1, either);
       add_terms(variables(s, LineKind::Contour), 1, either);
       program_.add_row(std::move(either), 0, 1);
     }
@@ -247,23 +223,23 @@ void ReadingProgram::add_regions(const std::vector<Features>& features, std::siz
   }
 }
 
-void ReadingProgram::add_connections(const std::vector<Features>& features) {
+void ReadingProgram::add_connections(const std::vector<StrokeFeatures>& features) {
   const std::vector<LineEnd>& ends = connections_.ends;
-  std::vector<std::array<std::vector<Term>, 2>> visible(ends.size()), hidden(ends.size());  // per end and side
+  std::vector<std::vector<Term>> visible(2 * ends.size()), hidden(2 * ends.size());  // per end and side
   for (Index e = 0; e < ends.size(); ++e) {
-    for (const std::size_t side : {on_left, on_right}) {
-      visible[e][side].push_back({variables(ends[e].stroke, LineKind::Contour)[side], -1});
+    for (const Index side : {on_left, on_right}) {
+      visible[2 * e + side].push_back({variables(ends[e].stroke, LineKind::Contour)[side], -1});
     }
   }
   // A line that goes on from one end to another one of its kind is walked against the direction of one of their
   // strokes.
-  const auto add_pair = [&](Index a, Index b, double cost, auto& rows) {
-    const bool turned = ends[a].at_start == ends[b].at_start;
+  const auto add_pair = [&](const EndJoin& pair, double more, std::vector<std::vector<Term>>& rows) {
+    const bool turned = ends[pair.a].at_start == ends[pair.b].at_start;
     Sides taken{};
-    for (const std::size_t side : {on_left, on_right}) {
-      taken[side] = program_.add_variable(0, 1, cost);
-      rows[a][side].push_back({taken[side], 1});
-      rows[b][turned ? 1 - side : side].push_back({taken[side], 1});
+    for (const Index side : {on_left, on_right}) {
+      taken[side] = program_.add_variable(0, 1, pair.cost + more);
+      rows[2 * pair.a + side].push_back({taken[side], 1});
+      rows[2 * pair.b + (turned ? 1 - side : side)].push_back({taken[side], 1});
     }
     return taken;
   };
@@ -271,35 +247,31 @@ void ReadingProgram::add_connections(const std::vector<Features>& features) {
     const Index a = stroke_of(join.a), b = stroke_of(join.b);
     const bool opens_within = join.gap >= 1 && features[a].is_within() && features[b].is_within();
     const double more = (a == b ? features[a].cost_as_outline() : 0) + (opens_within ? costs::opening_within : 0);
-    join_.push_back(add_pair(join.a, join.b, join.cost + more, visible));
+    join_.push_back(add_pair(join, more, visible));
   }
   for (const EndMeeting& meeting : connections_.meetings) {
-    const std::size_t front = meeting.side > 0 ? on_left : on_right;
+    const Index front = meeting.side > 0 ? on_left : on_right;
     std::vector<Term> has_bar{{variables(meeting.bar, LineKind::Contour)[front], -1},
                               {variables(meeting.bar, LineKind::Region)[front], -1}};
-    Sides taken{};
-    for (const std::size_t side : {on_left, on_right}) {
+    Sides& taken = meeting_.emplace_back();
+    for (const Index side : {on_left, on_right}) {
       taken[side] = program_.add_variable(0, 1, meeting.cost);
-      visible[meeting.end][side].push_back({taken[side], 1});
-      hidden[meeting.end][side].push_back({taken[side], -1});
-      has_bar.push_back({taken[side], 1});
+      visible[2 * meeting.end + side].push_back({taken[side], 1});
+      hidden[2 * meeting.end + side].push_back({taken[side], -1});
     }
-    meeting_.push_back(taken);
+    add_terms(taken, 1, has_bar);
     program_.add_row(std::move(has_bar), -1, 0);
   }
-  for (const HiddenPair& pair : connections_.hidden) {
-    const Index stroke = ends[pair.a].stroke;
-    const bool is_limb = ends[pair.b].stroke == stroke;
-    const Sides taken =
-        add_pair(pair.a, pair.b, pair.cost + (is_limb ? features[stroke].cost_as_outline() : 0), hidden);
+  for (const EndJoin& pair : connections_.hidden) {
+    const Index stroke = stroke_of(pair.a);
+    const bool is_limb = stroke_of(pair.b) == stroke;
+    const Sides taken = add_pair(pair, is_limb ? features[stroke].cost_as_outline() : 0, hidden);
     // The surface of a limb lies in what its line goes round.
     if (is_limb) program_.fix(taken[signed_area(strokes_[stroke].points) > 0 ? on_right : on_left], 0);
   }
   for (auto* rows : {&visible, &hidden}) {
-    for (auto& sides : *rows) {
-      for (std::vector<Term>& row : sides) {
-        if (!row.empty()) program_.add_row(std::move(row), 0, 0);
-      }
+    for (std::vector<Term>& row : *rows) {
+      if (!row.empty()) program_.add_row(std::move(row), 0, 0);
     }
   }
 }
@@ -309,21 +281,19 @@ std::optional<Reading> ReadingProgram::best() {
   const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap, kinds_end_);
   nodes_ += solution.nodes;
   if (solution.values.empty()) return std::nullopt;
-  const auto taken = [&](Index variable) { return solution.values[variable] != 0; };
-  const auto either_taken = [&](const Sides& sides) { return taken(sides[on_left]) || taken(sides[on_right]); };
-  Reading reading;
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    const auto kind = std::ranges::find_if(kind_[s], either_taken);
-    reading.kinds.push_back(static_cast<LineKind>(kind - kind_[s].begin()));
-  }
-  for (std::size_t i = 0; i < join_.size(); ++i) {
-    if (either_taken(join_[i])) reading.joins.push_back(connections_.joins[i]);
-  }
-  for (std::size_t i = 0; i < meeting_.size(); ++i) {
-    if (either_taken(meeting_[i])) reading.meetings.push_back(connections_.meetings[i]);
-  }
-  for (Index k = 0; k < region_.size(); ++k) {
-    if (taken(region_[k])) reading.regions.push_back(k);
+  const auto is_taken = [&](const Sides& sides) {
+    return solution.values[sides[on_left]] != 0 || solution.values[sides[on_right]] != 0;
+  };
+  const auto taken_of = [&](const std::vector<Sides>& candidates) {
+    std::vector<Index> taken;
+    for (Index i = 0; i < candidates.size(); ++i) {
+      if (is_taken(candidates[i])) taken.push_back(i);
+    }
+    return taken;
+  };
+  Reading reading{{}, taken_of(join_), taken_of(meeting_), taken_of(region_)};
+  for (const auto& kinds : kind_) {
+    reading.kinds.push_back(static_cast<LineKind>(std::ranges::find_if(kinds, is_taken) - kinds.begin()));
   }
   return reading;
 }
@@ -343,15 +313,13 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
     if (reading.kinds[s] == LineKind::Detail) add_terms(variables(s, LineKind::Ignored), 1, all);
     if (reading.kinds[s] == LineKind::Ignored) add_terms(variables(s, LineKind::Detail), 1, all);
   }
-  for (std::size_t i = 0; connections && i < join_.size(); ++i) {
-    const EndJoin& join = connections_.joins[i];
-    if (!contains(reading.joins, join)) continue;
-    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[i]);
+  for (std::size_t i = 0; connections && i < reading.joins.size(); ++i) {
+    const EndJoin& join = connections_.joins[reading.joins[i]];
+    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[reading.joins[i]]);
   }
-  for (std::size_t i = 0; connections && i < meeting_.size(); ++i) {
-    const EndMeeting& meeting = connections_.meetings[i];
-    if (!contains(reading.meetings, meeting)) continue;
-    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[i]);
+  for (std::size_t i = 0; connections && i < reading.meetings.size(); ++i) {
+    const EndMeeting& meeting = connections_.meetings[reading.meetings[i]];
+    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[reading.meetings[i]]);
   }
   program_.add_row(std::move(all), 0, count - 1);
 }
@@ -377,30 +345,28 @@ void ReadingProgram::add_open_lines() {
 
 bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at) {
   DisjointSets lines(strokes_.size());
-  for (const EndJoin& join : reading.joins) lines.unite(stroke_of(join.a), stroke_of(join.b));
+  for (const Index join : reading.joins) {
+    lines.unite(stroke_of(connections_.joins[join].a), stroke_of(connections_.joins[join].b));
+  }
   const auto is_open = [&](Index stroke) {
-    return reading.kinds[stroke] == LineKind::Contour &&
-           std::ranges::any_of(reading.meetings, [&](const auto& meeting) {
-             return lines.root(stroke_of(meeting.end)) == lines.root(stroke);
+    return reading.kinds[stroke] == LineKind::Contour && std::ranges::any_of(reading.meetings, [&](Index meeting) {
+             return lines.root(stroke_of(connections_.meetings[meeting].end)) == lines.root(stroke);
            });
   };
   if (!is_open(a) || !is_open(b)) return false;
   if (open_.empty()) add_open_lines();
   std::vector<Term> terms;
-  double most = -1;
-  for (const Index stroke : std::set{a, b}) {
-    terms.push_back({open_[stroke], 1});
-    ++most;
-  }
+  add_terms({open_[a], open_[b]}, 1, terms);
   // Other connections may cut off the end that crosses.
-  for (std::size_t i = 0; i < meeting_.size(); ++i) {
+  for (Index i = 0; i < meeting_.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
     const Index stroke = stroke_of(meeting.end);
     const bool cuts =
         meeting.along < 0 && -meeting.along > cut_share * (connections_.ends[meeting.end].place - at).norm();
-    if ((stroke == a || stroke == b) && cuts && !contains(reading.meetings, meeting)) add_terms(meeting_[i], -1, terms);
+    const bool taken = std::ranges::count(reading.meetings, i) > 0;
+    if ((stroke == a || stroke == b) && cuts && !taken) add_terms(meeting_[i], -1, terms);
   }
-  program_.add_row(std::move(terms), -IntegerProgram::unbounded, most);
+  program_.add_row(std::move(terms), -IntegerProgram::unbounded, a == b ? 0 : 1);
   return true;
 }
 
@@ -431,7 +397,7 @@ void ReadingProgram::forbid(LineKind kind) {
 
 void ReadingProgram::allow_regions_only() {
   forbid(LineKind::Contour);
-  for (const Index region : region_) program_.fix(region, 1);
+  for (const Sides& region : region_) program_.fix(region[on_left], 1);
 }
 
 }  // namespace croquis::silhouette

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -20,13 +21,15 @@ enum class LineKind : std::uint8_t {
   Ignored
 };
 
-/// What a drawing's strokes mean together.
+/// What a drawing's strokes mean together. Joins, meetings and regions are ascending positions among the candidates.
 struct Reading {
-  std::vector<LineKind> kinds;       ///< per sampled stroke
-  std::vector<EndJoin> joins;        ///< of contours: each end is in one of these,
-  std::vector<EndMeeting> meetings;  ///< or in one of those
-  std::vector<Index> regions;        ///< positions in Envelope::regions
+  std::vector<LineKind> kinds;  ///< per sampled stroke
+  std::vector<Index> joins;     ///< of contours: each end is in one of these,
+  std::vector<Index> meetings;  ///< or in one of those
+  std::vector<Index> regions;
 };
+
+struct StrokeFeatures;  ///< what is measured of a stroke
 
 /// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k,o) = stroke s has kind k and
 /// the surface on its side o (left or right, of what bounds one), r = region taken, j(o) = join, m(o) = meeting,
@@ -38,7 +41,7 @@ struct Reading {
 /// Variables for each side take the place of rows that compare sides: relaxations of those are weak.
 class ReadingProgram {
  public:
-  /// All of them must outlive the program.
+  /// Strokes and connections must outlive the program.
   ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections, const Envelope& envelope);
 
   /// The best reading that isn't excluded; none when there is no other, or the search for it is bounded.
@@ -69,18 +72,15 @@ class ReadingProgram {
 
  private:
   static constexpr std::size_t kind_count = 5;
-  /// With the surface on the left, and on the right; twice the same of kinds that bound no surface.
+  /// With the surface on the left, and on the right; twice the same of what doesn't bound a surface on one side.
   using Sides = std::array<Index, 2>;
-  struct Features;  ///< of a stroke
 
   const Sides& variables(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
   Index stroke_of(Index end) const { return connections_.ends[end].stroke; }
   void set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const;
-  std::vector<Features> measure(const Envelope& envelope) const;
-  std::vector<double> least_contour_costs(const std::vector<Features>& features) const;
-  void add_strokes(const std::vector<Features>& features);
-  void add_regions(const std::vector<Features>& features, std::size_t count);
-  void add_connections(const std::vector<Features>& features);
+  void add_strokes(const std::vector<StrokeFeatures>& features);
+  void add_regions(const std::vector<StrokeFeatures>& features, std::size_t count);
+  void add_connections(const std::vector<StrokeFeatures>& features);
   void add_open_lines();
 
   const std::vector<SampledStroke>& strokes_;
@@ -90,8 +90,7 @@ class ReadingProgram {
   int nodes_ = 0;  ///< looked at by all searches
   std::vector<std::array<Sides, kind_count>> kind_;
   Index kinds_end_ = 0;  ///< the first variable after those of kinds
-  std::vector<Sides> join_, meeting_;
-  std::vector<Index> region_;
+  std::vector<Sides> join_, meeting_, region_;
   std::vector<Index> open_;  ///< per stroke: its line has hidden ends; empty until it matters
 };
 
