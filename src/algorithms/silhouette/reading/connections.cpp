@@ -79,21 +79,17 @@ double turn_between(const LineEnd& a, const LineEnd& b, double weight) {
   return least;
 }
 
-/// An end that lies on a line does so by chance if it goes on as another one across a gap.
-void doubt_joins_at_lines(Connections& found) {
-  std::vector<double> least(found.ends.size(), infinity);
+/// Joins cost more where their ends may pass behind something. Ends that plainly are one place of a line after that
+/// have no other meaning.
+void settle_joins(Connections& found) {
+  std::vector<double> least(found.ends.size(), infinity);  // of what each end may pass behind
   for (const EndMeeting& meeting : found.meetings) least[meeting.end] = std::min(least[meeting.end], meeting.cost);
+  std::vector<std::vector<double>> of_end(found.ends.size());  // costs of joins
   for (EndJoin& join : found.joins) {
+    // An end that lies on a line does so by chance if it goes on as another one across a gap.
     for (const Index end : {join.a, join.b}) {
       join.cost += costs::line_at_gap * join.gap * std::max(0.0, 1 - least[end] / costs::chance_meeting);
     }
-  }
-}
-
-/// Ends that plainly are one place of a line have no other meaning.
-void drop_beside_plain_joins(Connections& found) {
-  std::vector<std::vector<double>> of_end(found.ends.size());
-  for (const EndJoin& join : found.joins) {
     for (const Index end : {join.a, join.b}) of_end[end].push_back(join.cost);
   }
   std::vector<Index> partner(found.ends.size(), no_index);  // of ends that plainly are one place
@@ -265,8 +261,7 @@ Connections find_connections(const std::vector<SampledStroke>& strokes, const Dr
   for (const SampledStroke& stroke : strokes) largest = std::max(largest, stroke.size);
   const double farthest = farthest_miss * scale.reach(largest);
   for (Index end = 0; end < found.ends.size(); ++end) add_meetings(drawn, end, farthest, found);
-  doubt_joins_at_lines(found);
-  drop_beside_plain_joins(found);
+  settle_joins(found);
   progress.check();
   add_hidden(scale.unit, found);
   return found;
