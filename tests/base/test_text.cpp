@@ -37,6 +37,7 @@ TEST_CASE("a number's text reads back as the same number, in no more characters 
     CHECK(read == number);
   }
   CHECK(number_text(0.1) == "0.1");
+  CHECK(number_text(1234.56, 4) == "1235");
 }
 
 TEST_CASE("only a text that is a number as a whole is read") {

@@ -19,6 +19,9 @@ std::vector<std::string_view> text_parts(std::string_view text, std::string_view
 /// The shortest decimal text that reads back as the same number; the same in every locale.
 std::string number_text(double number);
 
+/// A number rounded to so many significant digits, up to 17.
+std::string number_text(double number, int digits);
+
 /// Reads a number of which the whole text consists, without blanks or a leading '+'.
 /// @param number is given the value, rounded to the nearest one there is; "inf" and "nan" are numbers too
 /// @return false for any other text, and for a number that doesn't fit

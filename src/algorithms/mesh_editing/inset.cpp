@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <string>
 
 #include "algorithms/mesh_editing/lifted_region.h"
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/geometry/polygon_area.h"
 
 namespace croquis {
@@ -79,11 +78,6 @@ double room_for(const LiftedMesh& lifted, const std::vector<Vec3>& moves, double
   return low;
 }
 
-std::string short_number(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3).ptr};
-}
-
 }  // namespace
 
 MeshEdit inset_faces(const PolyMesh& mesh, const MeshTopology& topology, std::span<const Index> faces, double width) {
@@ -94,8 +88,8 @@ MeshEdit inset_faces(const PolyMesh& mesh, const MeshTopology& topology, std::sp
   if (const Index face = without_room(result, moves, width); face != no_index) {
     const std::string name = std::to_string(face);
     throw Error(make_error(Category::Usage, "E_INPUT",
-                           "Face " + name + " has no room for an inset of " + short_number(width) +
-                               ": take less than " + short_number(room_for(result, moves, width)),
+                           "Face " + name + " has no room for an inset of " + number_text(width, 3) +
+                               ": take less than " + number_text(room_for(result, moves, width), 3),
                            {numbered_subject(SubjectKind::Face, face)}));
   }
   move_by(result.edit.mesh, moves, width);

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/attribute_surface/network/network_words.h"
 
-#include <array>
-#include <charconv>
+#include "croquis/base/text.h"
 
 namespace croquis {
 
 std::string quoted(const std::string& id) { return '"' + id + '"'; }
 
-std::string rounded_text(double number) {
-  std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 4);
-  return {text.data(), written.ptr};
-}
+std::string rounded_text(double number) { return number_text(number, 4); }
 
 std::string length_text(const AttributeNetwork& network, double length) {
   return rounded_text(length) + (network.units.empty() ? "" : " " + network.units);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "croquis/base/text.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -152,7 +153,7 @@ Findings gaps_closed(const Drawing& drawing, const SampledDrawing& sampled, cons
     std::vector<Subject> subjects{stroke_subject(drawing, first, at)};
     if (first != second) subjects.push_back(stroke_subject(drawing, second, at));
     findings.push_back(make_warning(Category::Geometry, "W_GAP",
-                                    "Closed a gap of " + length_text(distance) + " " + where, std::move(subjects)));
+                                    "Closed a gap of " + number_text(distance, 4) + " " + where, std::move(subjects)));
   }
   return findings;
 }

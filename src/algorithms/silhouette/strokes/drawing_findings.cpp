@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 
-#include <array>
-#include <charconv>
 #include <utility>
 
 namespace croquis::silhouette {
@@ -41,12 +39,6 @@ Finding too_short(const Drawing& drawing, Index stroke) {
   return make_warning(Category::Geometry, "W_TINY",
                       "The stroke " + in_quotes(drawing, stroke) + " is too short and was ignored",
                       {stroke_subject(drawing, stroke)});
-}
-
-std::string length_text(double length) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::general, 4).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace croquis::silhouette

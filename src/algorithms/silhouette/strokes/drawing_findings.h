@@ -23,7 +23,4 @@ Finding no_solid(const std::string& why, std::vector<Subject> subjects);
 /// W_TINY.
 Finding too_short(const Drawing& drawing, Index stroke);
 
-/// A length with four significant digits.
-std::string length_text(double length);
-
 }  // namespace croquis::silhouette
