@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/strokes/jitter.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
 #include "silhouette/labelled_counts.h"

@@ -109,7 +109,6 @@ struct CrossingInView {
   Vec2 at = Vec2::Zero();  ///< one of the places where they cross, sketch units
   bool chosen = false;     ///< by the stroke's "behind", see stroke_data.h; else by the order of drawing
   bool whole = false;      ///< both are closed outlines; else one ends within the other
-  bool grown = false;      ///< one grows out of the other: a limb of one line, or it lay just beside it
 };
 
 struct LabelledDrawing {

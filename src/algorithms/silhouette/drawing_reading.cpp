@@ -12,9 +12,9 @@
 #include "algorithms/silhouette/reading/reading_lines.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/stage.h"
-#include "algorithms/silhouette/strokes/abutting_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/jitter.h"
+#include "algorithms/silhouette/strokes/junctions.h"
+#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -229,22 +229,19 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (CleanLine& line : lines) {
     for (const Vec2& place : uncross(line, scale)) findings.push_back(crosses_itself(drawing, line, place));
   }
-  meet_bars(lines, contours.targets, scale);
+  meet_bars(lines, scale);
   for (CleanLine& line : tube_outlines(material.sampled, reading, lines, material.envelope.diagonal))
     lines.push_back(std::move(line));
-  if (material.options.attach_suggested) lead_into_neighbours(lines, contours.targets, scale);
+  if (material.options.attach_suggested) lead_into_neighbours(lines, scale);
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
-  meet_bars(lines, contours.targets, scale);  // bars may have moved
-  Junctions junctions =
-      find_junctions(drawing, lines, contours.targets, material.sampled.hidden, order, scale, progress);
-  extend_behind_bars(lines, junctions.ends, scale);
+  meet_bars(lines, scale);  // bars may have moved
+  Junctions junctions = find_junctions(drawing, lines, material.sampled.hidden, order, scale, progress);
   bring_into_general_position(lines, scale.step);
 
   const FigureContext context{drawing, material.options, scale, lines, junctions, order};
   LabelledDrawing result = label_parts(context, progress.silent());
   result.crossings = std::move(order.pairs);
-  std::erase_if(result.crossings, [](const CrossingInView& pair) { return pair.grown; });
   result.kinds = kinds_of(material, reading);
   add_dots(material, result);
   mark_tubes(result);

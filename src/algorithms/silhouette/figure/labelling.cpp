@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/ring_shape.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/solver/integer_program.h"
 
@@ -46,7 +46,7 @@ std::vector<Index> surrounding_contours(const Arrangement& arrangement, const st
 
 /// Whether a contour within another is marked as the edge of a hole; none where nothing says so or not.
 std::optional<bool> chosen_nesting(const Drawing& drawing, const ContourPath& path, const ContourPath& around) {
-  if (const std::optional<bool> by_kind = told_hole(drawing, path.strokes)) return by_kind;
+  if (const std::optional<bool> by_kind = hole_by_kind(drawing, path.strokes)) return by_kind;
   const std::string own = object_of_strokes(drawing, path.strokes);
   if (own.empty()) return std::nullopt;
   return own == object_of_strokes(drawing, around.strokes);

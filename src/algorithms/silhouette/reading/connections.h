@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "croquis/base/progress.h"
 
 /// What each end of a stroke may be: a place where the line goes on as another stroke, or one where it passes behind

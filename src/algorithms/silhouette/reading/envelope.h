@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/stroke_chains.h"
 
 /// What the lines of a drawing enclose, gaps and all: regions first, before any end is understood.
 namespace croquis::silhouette {

@@ -292,7 +292,6 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
     progress.check();
     finish(line, sampled.scale.step, passes);
   }
-  result.targets.resize(result.lines.size());
   for (std::size_t line = 0; line < chains.size(); ++line) {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto found = std::ranges::find(reading.meetings, chains[line].ends[k],
@@ -304,7 +303,7 @@ ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled
       const Index bar =
           is_region ? nearest_sample(result.lines, first_region, meeting.at).line : line_of_stroke[meeting.bar];
       const int side = is_region ? 1 : meeting.side * direction[meeting.bar];
-      result.targets[line][k] = EndTarget{bar, meeting.at, std::abs(meeting.along), side};
+      result.lines[line].targets[k] = EndTarget{bar, meeting.at, std::abs(meeting.along), side};
     }
   }
   return result;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "algorithms/silhouette/reading/reading_program.h"
-#include "algorithms/silhouette/strokes/junctions.h"
 #include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/progress.h"
 
@@ -13,7 +12,6 @@ namespace croquis::silhouette {
 /// The contours that a reading sees, as lines.
 struct ContourLines {
   std::vector<CleanLine> lines;  ///< by the lowest stroke in them, then regions
-  EndTargets targets;            ///< per line
   Findings findings;             ///< gaps closed
 };
 

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/jitter.h"
+#include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -26,6 +29,15 @@ constexpr double own_end = 4;
 // A hidden stroke begins no farther from the end that it goes on from than this share of its own length, or the gap
 // that is closed between visible strokes.
 constexpr double farthest_share = 0.15;
+
+// Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
+constexpr double touch_distance = 0.1;
+// Crossings flatter than this sine are strokes that run into one another.
+constexpr double touch_sine = 0.05;
+// Neighbouring segments of one line are near each other by nature.
+constexpr double own_segments = 8;
+// A stem is near its bar over this many segments before it ends there.
+constexpr double junction_segments = 2;
 
 /// The segments of its bar, from the first to before the second, that the end of a line may lie on: a line passes
 /// behind its own other parts, not behind the bit of this length at its end.
@@ -61,16 +73,19 @@ std::optional<EndHit> hit_of(const std::vector<CleanLine>& lines, Index line, bo
   return best;
 }
 
-/// Makes the last sample of a line the place of a hit.
-void move_end(CleanLine& line, const EndHit& hit, double step) {
+/// Makes the first or last sample of a line the place of a hit.
+void move_end(CleanLine& line, bool at_start, const EndHit& hit, double step) {
+  const auto reverse = [](auto& values) { std::ranges::reverse(values); };
+  if (at_start) line.change_samples(reverse);
   const Index stroke = line.stroke.back();
   auto kept = static_cast<Index>(line.points.size());
   if (hit.along < 0) kept = static_cast<Index>(std::ceil(parameter_along(line.points, false, -hit.along)));
   while (kept > 1 && (line.points[kept - 1] - hit.at).norm() < least_junction_spacing * step) --kept;
-  line.keep(0, std::max<Index>(kept, 1));
+  line.change_samples([kept](auto& values) { values.resize(std::max<Index>(kept, 1)); });
   line.points.push_back(hit.at);
   line.raw.push_back(hit.at);
   line.stroke.push_back(stroke);
+  if (at_start) line.change_samples(reverse);
 }
 
 Vec2 bar_direction(const std::vector<CleanLine>& lines, const HiddenEnd& end) {
@@ -95,7 +110,7 @@ HiddenEnd junction(const std::vector<CleanLine>& lines, Index line, bool at_star
   return end;
 }
 
-/// Hands the strokes that are told to be hidden to the ends that they join. Those leave along them.
+/// Hands the strokes of kind "hidden" to the ends that they join. Those leave along them.
 void give_pieces(const Drawing& drawing, const std::vector<SampledStroke>& hidden, const std::vector<CleanLine>& lines,
                  const DrawingScale& scale, Junctions& junctions) {
   std::vector<char> taken(junctions.ends.size(), 0);
@@ -109,25 +124,20 @@ void give_pieces(const Drawing& drawing, const std::vector<SampledStroke>& hidde
     }
     return found;
   };
-  const auto refuse = [&](const SampledStroke& stroke, const std::string& why, const Vec2& at) {
-    junctions.findings.push_back({make_error(Category::Geometry, "E_HIDDEN_STROKE",
-                                             "The hidden stroke " + in_quotes(drawing, stroke.stroke) + " " + why,
-                                             {stroke_subject(drawing, stroke.stroke, at)}),
-                                  {}});
-  };
   for (const SampledStroke& stroke : hidden) {
     Points points = even_points(stroke.points, false, std::min(scale.step, stroke.length / 4));
-    if (stroke.closed) {
-      refuse(stroke, "is closed: draw it from where a line passes behind something to where it comes out",
-             points.front());
-      continue;
-    }
     const double farthest = std::max(scale.gap, farthest_share * stroke.length);
     const Index from = nearest_end(points.front(), farthest, no_index);
     const Index to = nearest_end(points.back(), farthest, from);
-    if (from == no_index || to == no_index) {
-      refuse(stroke, "begins or ends where no line does that it could go on from: draw it up to one",
-             from == no_index ? points.front() : points.back());
+    if (stroke.closed || from == no_index || to == no_index) {
+      const char* why = stroke.closed
+                            ? " is closed: draw it from where a line passes behind something to where it comes out"
+                            : " begins or ends where no line does that it could go on from: draw it up to one";
+      const Vec2& at = end_of(points, stroke.closed || from == no_index);
+      junctions.findings.push_back({make_error(Category::Geometry, "E_HIDDEN_STROKE",
+                                               "The hidden stroke " + in_quotes(drawing, stroke.stroke) + why,
+                                               {stroke_subject(drawing, stroke.stroke, at)}),
+                                    {}});
       continue;
     }
     const Vec2 at_first = junctions.ends[from].at - points.front();
@@ -148,99 +158,148 @@ void give_pieces(const Drawing& drawing, const std::vector<SampledStroke>& hidde
   }
 }
 
-LineFinding free_end(const Drawing& drawing, const CleanLine& line, Index index, bool at_start) {
-  const Index stroke = line.end_stroke(at_start);
-  return {no_solid("the end of " + in_quotes(drawing, stroke) + " touches nothing that it could pass behind",
-                   {stroke_subject(drawing, stroke, line.end(at_start))}),
-          {index}};
-}
-
-LineFinding two_sided(const Drawing& drawing, const std::vector<CleanLine>& lines, Index bar,
-                      const std::vector<HiddenEnd>& stems) {
-  const HiddenEnd& first = stems.front();
-  const Index on_bar = lines[bar].stroke[static_cast<std::size_t>(first.bar_parameter)];
-  std::vector<Subject> subjects{stroke_subject(drawing, on_bar, first.at)};
-  std::vector<Index> all{bar};
-  for (const HiddenEnd& stem : stems) {
-    subjects.push_back(stroke_subject(drawing, lines[stem.line].end_stroke(stem.at_start), stem.at));
-    all.push_back(stem.line);
-  }
-  return {no_solid("lines pass behind " + in_quotes(drawing, on_bar) +
-                       " on both of its sides, of which only one can be its surface",
-                   std::move(subjects)),
-          std::move(all)};
-}
-
 /// Williams' rule: a stem goes under its bar, so the bar's surface lies where the stem is heading.
 void decide_sides(const Drawing& drawing, const std::vector<CleanLine>& lines, Junctions& junctions) {
-  std::vector<std::vector<HiddenEnd>> stems(lines.size());
-  for (const HiddenEnd& end : junctions.ends) stems[end.bar].push_back(end);
   for (Index bar = 0; bar < lines.size(); ++bar) {
-    if (stems[bar].empty()) continue;
-    const int side = junctions.sides[bar] != 0 ? junctions.sides[bar] : stems[bar].front().bar_side;
-    if (std::ranges::all_of(stems[bar], [side](const HiddenEnd& stem) { return stem.bar_side == side; })) {
+    std::vector<HiddenEnd> stems;
+    std::ranges::copy_if(junctions.ends, std::back_inserter(stems), [bar](const auto& end) { return end.bar == bar; });
+    if (stems.empty()) continue;
+    const int side = junctions.sides[bar] != 0 ? junctions.sides[bar] : stems.front().bar_side;
+    if (std::ranges::count(stems, side, &HiddenEnd::bar_side) == std::ssize(stems)) {
       junctions.sides[bar] = side;
-    } else {
-      junctions.findings.push_back(two_sided(drawing, lines, bar, stems[bar]));
+      continue;
     }
+    const Index on_bar = lines[bar].stroke[static_cast<std::size_t>(stems.front().bar_parameter)];
+    std::vector<Subject> subjects{stroke_subject(drawing, on_bar, stems.front().at)};
+    std::vector<Index> all{bar};
+    for (const HiddenEnd& stem : stems) {
+      subjects.push_back(stroke_subject(drawing, lines[stem.line].end_stroke(stem.at_start), stem.at));
+      all.push_back(stem.line);
+    }
+    junctions.findings.push_back({no_solid("lines pass behind " + in_quotes(drawing, on_bar) +
+                                               " on both of its sides, of which only one can be its surface",
+                                           std::move(subjects)),
+                                  std::move(all)});
+  }
+}
+
+/// How many segments lie between two places of a line, the shorter way round a closed one.
+double separation(const CleanLine& line, double a, double b) {
+  const double apart = std::abs(a - b);
+  return line.closed ? std::min(apart, line.segment_count() - apart) : apart;
+}
+
+/// True where `stem` is the last bit of a line and `bar` the place where that line ends.
+bool is_junction(const std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const GridSegment& stem,
+                 const GridSegment& bar) {
+  return std::ranges::any_of(ends, [&](const HiddenEnd& end) {
+    if (end.line != stem.line || end.bar != bar.line) return false;
+    const double last = lines[stem.line].segment_count() - 1.0;
+    const double from_end = end.at_start ? stem.position : last - stem.position;
+    const double from_junction = separation(lines[bar.line], bar.position + 0.5, end.bar_parameter);
+    return from_end < junction_segments && from_junction < junction_segments + 1;
+  });
+}
+
+bool is_crossing(const SegmentContact& contact) {
+  const Vec2 u = contact.a.b - contact.a.a;
+  const Vec2 v = contact.b.b - contact.b.a;
+  return contact.crosses() && std::abs(cross(u, v)) > touch_sine * u.norm() * v.norm();
+}
+
+LineFinding describe(const Drawing& drawing, Index s1, Index s2, const SegmentContact& contact) {
+  const bool crossing = is_crossing(contact), itself = s1 == s2;
+  std::string sentence = in_quotes(drawing, s1) + (itself ? "" : " and " + in_quotes(drawing, s2));
+  if (crossing) {
+    sentence += itself ? " crosses itself in full view: which part" : " cross in full view: which one";
+    sentence += " is in front? Let the other one stop where it passes behind";
+  } else {
+    sentence +=
+        itself ? " touches itself: draw the two parts apart" : " touch: draw them apart, or let one end at the other";
+  }
+  std::vector<Subject> subjects{stroke_subject(drawing, s1, contact.at)};
+  if (!itself) subjects.push_back(stroke_subject(drawing, s2, contact.at));
+  subjects.push_back(crossing_subject(drawing, contact.at));
+  return {make_error(Category::Geometry, crossing ? "E_CROSS" : "E_TOUCH", sentence, std::move(subjects)),
+          {contact.a.line, contact.b.line}};
+}
+
+/// Lines that still cross in full view (E_CROSS), run along one another or touch (E_TOUCH); one finding for each pair
+/// of strokes. A stem and its bar meet rightly, and so do lines one of which is known to lie in front. O(n) for evenly
+/// spread samples.
+void add_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines, const VisibleCrossings& order,
+                   const DrawingScale& scale, const Progress& progress, Junctions& junctions) {
+  const double reach = touch_distance * scale.unit;
+  std::map<std::pair<Index, Index>, SegmentContact> worst;  // by strokes; a crossing counts as worse than a touch
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step), reach)) {
+    progress.check();
+    const auto& [a, b] = std::tie(contact.a, contact.b);
+    if (order.in_front.contains({a.line, b.line}) || order.in_front.contains({b.line, a.line})) continue;
+    const bool are_near = a.line == b.line && separation(lines[a.line], a.position, b.position) <= own_segments;
+    if (are_near && !contact.crosses()) continue;
+    if (is_junction(lines, junctions.ends, a, b) || is_junction(lines, junctions.ends, b, a)) continue;
+    const auto strokes = std::minmax({lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]});
+    const auto [place, fresh] = worst.try_emplace(strokes, contact);
+    if (!fresh && is_crossing(contact) && !is_crossing(place->second)) place->second = contact;
+  }
+  for (const auto& [strokes, contact] : worst) {
+    junctions.findings.push_back(describe(drawing, strokes.first, strokes.second, contact));
   }
 }
 
 }  // namespace
 
-void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const DrawingScale& scale) {
-  std::vector<std::array<std::optional<EndHit>, 2>> hits(targets.size());
-  for (Index line = 0; line < targets.size(); ++line) {
+void meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale) {
+  // All hits are found before any line changes.
+  std::vector<std::array<std::optional<EndHit>, 2>> hits(lines.size());
+  for (Index line = 0; line < lines.size(); ++line) {
     for (const Index k : {0U, 1U}) {
-      std::optional<EndTarget>& target = targets[line][k];
-      if (target) hits[line][k] = hit_of(lines, line, k == 0, *target, scale.step);
-      if (!hits[line][k]) target.reset();
+      if (lines[line].targets[k]) hits[line][k] = hit_of(lines, line, k == 0, *lines[line].targets[k], scale.step);
     }
   }
-  // All hits are found before any line changes.
-  for (Index line = 0; line < targets.size(); ++line) {
+  for (Index line = 0; line < lines.size(); ++line) {
     for (const Index k : {1U, 0U}) {
-      const std::optional<EndHit>& hit = hits[line][k];
-      if (!hit) continue;
-      if (k == 0) lines[line].reverse();
-      move_end(lines[line], *hit, scale.step);
-      if (k == 0) lines[line].reverse();
-      targets[line][k]->at = hit->at;
-      targets[line][k]->miss = 0;
+      std::optional<EndTarget>& target = lines[line].targets[k];
+      if (const std::optional<EndHit>& hit = hits[line][k]) {
+        move_end(lines[line], k == 0, *hit, scale.step);
+        target->at = hit->at;
+        target->miss = 0;
+      } else {
+        target.reset();
+      }
     }
   }
 }
 
-Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines,
                          const std::vector<SampledStroke>& hidden, const VisibleCrossings& order,
                          const DrawingScale& scale, const Progress& progress) {
   Junctions junctions;
   junctions.jitter = scale.jitter;
   junctions.sides = order.sides;
-  junctions.sides.resize(lines.size(), 0);
   for (Index line = 0; line < lines.size(); ++line) {
     if (lines[line].closed) continue;
     for (const bool at_start : {true, false}) {
-      const std::optional<EndTarget>& target = targets[line][at_start ? 0 : 1];
-      if (target) {
+      if (const std::optional<EndTarget>& target = lines[line].targets[at_start ? 0 : 1]) {
         junctions.ends.push_back(junction(lines, line, at_start, *target, scale));
       } else {
-        junctions.findings.push_back(free_end(drawing, lines[line], line, at_start));
+        const Index stroke = lines[line].end_stroke(at_start);
+        junctions.findings.push_back(
+            {no_solid("the end of " + in_quotes(drawing, stroke) + " touches nothing that it could pass behind",
+                      {stroke_subject(drawing, stroke, lines[line].end(at_start))}),
+             {line}});
       }
     }
   }
   give_pieces(drawing, hidden, lines, scale, junctions);
   decide_sides(drawing, lines, junctions);
-  LineFindings conflicts = find_line_conflicts(drawing, lines, junctions.ends, order, scale, progress);
-  std::move(conflicts.begin(), conflicts.end(), std::back_inserter(junctions.findings));
-  return junctions;
-}
-
-void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale) {
-  for (const HiddenEnd& end : ends) {
-    const Vec2 behind = end.at + extension * scale.unit * end.tangent;
-    (end.at_start ? lines[end.line].points.front() : lines[end.line].points.back()) = behind;
+  add_conflicts(drawing, lines, order, scale, progress, junctions);
+  // Stems go on a little past their bars, so that the two cross instead of touching.
+  for (const HiddenEnd& end : junctions.ends) {
+    Points& points = lines[end.line].points;
+    (end.at_start ? points.front() : points.back()) = end.at + extension * scale.unit * end.tangent;
   }
+  return junctions;
 }
 
 }  // namespace croquis::silhouette

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/stroke_chains.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
@@ -39,30 +36,16 @@ struct Junctions {
   LineFindings findings;  ///< E_NO_LABELLING, E_CROSS, E_TOUCH; E_HIDDEN_STROKE of those that join no two ends
 };
 
-/// Where the end of a line is to meet another one.
-struct EndTarget {
-  Index bar = 0;  ///< line
-  Vec2 at = Vec2::Zero();
-  double miss = 0;  ///< how far the end is from it
-  int side = 1;     ///< the bar's surface lies on its left (+1) or right (-1)
-};
-
-/// Per line: of its start and its end.
-using EndTargets = std::vector<std::array<std::optional<EndTarget>, 2>>;
-
 /// Trims or extends the lines to what their ends pass behind; targets then lie where lines end.
-void meet_bars(std::vector<CleanLine>& lines, EndTargets& targets, const DrawingScale& scale);
+void meet_bars(std::vector<CleanLine>& lines, const DrawingScale& scale);
 
 /// What every open end passes behind, and where the surfaces of bars lie (Cordier, Seo, Cho 2006, section 3; the side
 /// rule is Williams 1994).
-/// @param lines  have met their bars and end on them; `extend_behind_bars` carries them on
-/// @param hidden strokes that are told to be hidden (stroke_data.h): each is the hidden contour between the two ends
-/// that are nearest to its own, and is moved so that it begins and ends there
-Junctions find_junctions(const Drawing& drawing, const std::vector<CleanLine>& lines, const EndTargets& targets,
+/// @param lines  have met their bars and end on them; they are carried on a little past them
+/// @param hidden strokes of kind "hidden" (stroke_data.h): each is the hidden contour between the two ends that are
+/// nearest to its own, and is moved so that it begins and ends there
+Junctions find_junctions(const Drawing& drawing, std::vector<CleanLine>& lines,
                          const std::vector<SampledStroke>& hidden, const VisibleCrossings& order,
                          const DrawingScale& scale, const Progress& progress);
-
-/// Carries each stem a little past its bar, so that the two cross instead of touching.
-void extend_behind_bars(std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const DrawingScale& scale);
 
 }  // namespace croquis::silhouette

@@ -8,23 +8,6 @@
 #include <Eigen/Cholesky>
 
 namespace croquis::silhouette {
-namespace {
-
-/// Calls visit(point, distance back from the end) until the distance passes `reach`.
-template <typename Visit>
-void walk_back(std::span<const Vec2> points, bool at_start, double reach, Visit visit) {
-  const std::size_t count = points.size();
-  double distance = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2& point = points[at_start ? i : count - 1 - i];
-    if (i > 0) distance += (point - points[at_start ? i - 1 : count - i]).norm();
-    visit(point, distance);
-    if (distance >= reach) return;
-  }
-}
-
-}  // namespace
-
 std::vector<EndHit> end_hits(std::span<const Vec2> back, std::span<const Vec2> headings, double reach, const Vec2& a,
                              const Vec2& b) {
   const Vec2& end = back.front();
@@ -84,7 +67,7 @@ std::optional<double> typical_spacing(std::span<const Vec2> places, const std::v
 }
 
 Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach) {
-  const Vec2 end = at_start ? points.front() : points.back();
+  const Vec2& end = end_of(points, at_start);
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d right = Eigen::Matrix2d::Zero();
   int used = 0;
@@ -104,7 +87,7 @@ Vec2 end_tangent(std::span<const Vec2> points, bool at_start, double reach) {
 }
 
 Vec2 end_chord(std::span<const Vec2> points, bool at_start, double reach) {
-  const Vec2 end = at_start ? points.front() : points.back();
+  const Vec2& end = end_of(points, at_start);
   Vec2 back = end;
   walk_back(points, at_start, reach, [&](const Vec2& point, double) {
     if (point != end) back = point;

@@ -46,6 +46,25 @@ double size_of(std::span<const Vec2> points, bool closed);
 /// The median distance from a place that counts to the nearest other place; none where there is no other.
 std::optional<double> typical_spacing(std::span<const Vec2> places, const std::vector<char>& counts);
 
+/// One end of an open line.
+inline const Vec2& end_of(std::span<const Vec2> points, bool at_start) {
+  return at_start ? points.front() : points.back();
+}
+
+/// Calls visit(point, distance back from the end) until the distance reaches `reach`.
+template <typename Point, typename Visit>
+void walk_back(std::span<Point> points, bool at_start, double reach, Visit visit) {
+  Vec2 before = end_of(points, at_start);
+  double distance = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Point& point = points[at_start ? i : points.size() - 1 - i];
+    distance += (point - before).norm();
+    before = point;
+    visit(point, distance);
+    if (distance >= reach) return;
+  }
+}
+
 /// Over how much of a line's end its direction is taken, in steps of the resampled line.
 inline constexpr double tangent_steps = 6;
 

@@ -2,34 +2,113 @@
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <optional>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <tuple>
-#include <utility>
+
+#include <Eigen/Geometry>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/junctions.h"
-#include "algorithms/silhouette/strokes/ring_shape.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/segment_grid.h"
-#include "croquis/geometry/polyline.h"
-#include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
 namespace {
 
+// A ring is as wide as at this quantile of its width, and even where it is no wider than that by this factor.
+constexpr double width_quantile = 0.2;
+constexpr double even_factor = 1.6;
+// Share of an outline along which its ring must be even.
+constexpr double even_share = 0.6;
+// Largest width of a ring for the radius of its hole, by how much speaks for a part: nothing, one, two, more things.
+constexpr std::array<double, 4> widest_ring{1.2, 0.8, 0.62, 0.5};
+// A ring that nothing speaks against may be this wide where it is even all round: a doughnut.
+constexpr double widest_round_ring = 2.2;
+constexpr double round_factor = 1.5;
+// Samples of an outline that are measured: enough for its shape.
+constexpr std::size_t measured_samples = 64;
+// In parts of its size: how deep a line is led into its neighbour, and how far to either side of where it is nearest it
+// is moved.
+constexpr double led_depth = 0.12;
+constexpr double led_width = 0.25;
 // Samples on the wrong side are moved to this share of what counts as shallow on the right one.
 constexpr double moved_share = 0.5;
-// Lines nearer than this (u) can't be distinguished by eye or by the triangulation that follows.
-constexpr double touch_distance = 0.1;
-// Crossings flatter than this sine are strokes that run into one another.
-constexpr double touch_sine = 0.05;
-// Neighbouring segments of one line are near each other by nature.
-constexpr double own_segments = 8;
-// A stem is near its bar over this many segments before it ends there.
-constexpr double junction_segments = 2;
+
+using LinePairs = std::set<std::pair<Index, Index>>;
+
+/// Pairs of lines that cross; the lower index first.
+LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
+  LinePairs pairs;
+  for (const auto& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step))) {
+    if (contact.a.line != contact.b.line) pairs.emplace(contact.a.line, contact.b.line);
+  }
+  return pairs;
+}
+
+/// Where a line comes nearest to another one, or deepest into it.
+struct Approach {
+  std::size_t point = 0;                                      ///< of the line
+  double distance = std::numeric_limits<double>::infinity();  ///< negative within the other one
+  Vec2 direction = Vec2::Zero();                              ///< unit: into the other one
+};
+
+/// @param reach no farther and no deeper than that
+Approach approach_of(const CleanLine& line, const CleanLine& other, double reach) {
+  const SegmentGrid grid(segments_of(std::vector{other}), reach);
+  const double inside = signed_area(other.points) > 0 ? 1 : -1;
+  Approach found;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const Vec2& point = line.points[i];
+    Approach here{i};
+    if (const std::optional<SegmentGrid::Place> nearest = grid.nearest(point, reach)) {
+      const GridSegment& segment = nearest->segment;
+      const Vec2 way = nearest->at - point;
+      here.distance = nearest->distance;
+      here.direction =
+          nearest->distance > 0 ? way.normalized() : inside * left_of((segment.b - segment.a).normalized());
+    }
+    if (other.closed && encloses(other.points, point)) here = {i, -std::min(reach, here.distance), -here.direction};
+    if (here.distance < found.distance) found = here;
+  }
+  return found;
+}
+
+/// Two closed lines that weren't meant to cross lie beside one another.
+bool lie_beside(const CleanLine& a, const CleanLine& b, const DrawingScale& scale) {
+  const auto& [smaller, larger] = a.size < b.size ? std::tie(a, b) : std::tie(b, a);
+  const double shallow = scale.shallow(smaller.size);
+  return a.closed && b.closed && approach_of(smaller, larger, shallow).distance > -shallow;
+}
+
+/// Lines that end at one another, or cross, are one thing: per line the first one of its thing.
+std::vector<Index> things_of(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
+  DisjointSets things(lines.size());
+  for (Index line = 0; line < lines.size(); ++line) {
+    for (const std::optional<EndTarget>& target : lines[line].targets) {
+      if (target) things.unite(line, target->bar);
+    }
+  }
+  for (const auto& [a, b] : crossing_pairs(lines, scale)) {
+    if (!lie_beside(lines[a], lines[b], scale)) things.unite(a, b);
+  }
+  return things.take_roots();
+}
+
+void lead(CleanLine& line, const Approach& approach) {
+  const std::vector<double> arcs = arc_lengths(line.points, true);
+  const double width = led_width * line.size;
+  const Vec2 way = (approach.distance + led_depth * line.size) * approach.direction;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const double along = std::abs(arcs[i] - arcs[approach.point]);
+    const double away = std::min(along, arcs.back() - along) / width;
+    if (away < 1) line.points[i] += (1 + std::cos(std::numbers::pi * away)) / 2 * way;
+  }
+  line.led = true;
+}
 
 // Which of two lines lies in front.
 
@@ -45,16 +124,16 @@ Index line_around(const std::vector<CleanLine>& lines, const LinePairs& crossing
   return around;
 }
 
-/// The closed line that another one is a hole of, else the line itself. The stroke's own "kind" decides, else the shape
-/// of the ring between the two.
+/// The closed line that another closed one is a hole of, else the line itself. The stroke's own "kind" decides, else
+/// the shape of the ring between the two.
 Index ring_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const LinePairs& crossing, Index line) {
-  const Index around = lines[line].closed ? line_around(lines, crossing, line) : no_index;
+  const Index around = line_around(lines, crossing, line);
   if (around == no_index) return line;
   const auto things = std::ranges::count_if(
       crossing, [around](const auto& pair) { return pair.first == around || pair.second == around; });
-  const std::optional<bool> told = told_hole(drawing, lines[line].strokes);
+  const std::optional<bool> by_kind = hole_by_kind(drawing, lines[line].strokes);
   const bool hole =
-      told ? *told : is_hole_of_ring(lines[line].points, lines[around].points, static_cast<std::size_t>(things));
+      by_kind ? *by_kind : is_hole_of_ring(lines[line].points, lines[around].points, static_cast<std::size_t>(things));
   return hole ? around : line;
 }
 
@@ -71,38 +150,35 @@ bool told_behind_line(const Drawing& drawing, const CleanLine& line, const Clean
 struct Cover {
   Index front = 0;
   Index behind = 0;
-  bool chosen = false;   ///< told by the strokes
-  bool is_hole = false;  ///< of a ring, which is told of by itself
+  bool chosen = false;   ///< by what the strokes say
+  bool is_hole = false;  ///< of a ring, whose outline counts instead
 };
-
-/// @param rings per line that crosses others, see `ring_of`
-std::optional<Cover> cover_between(const Drawing& drawing, const std::vector<CleanLine>& lines,
-                                   const std::vector<Index>& rings, Index a, Index b) {
-  if (!lines[a].closed && !lines[b].closed) return std::nullopt;
-  if (!lines[b].closed) return Cover{a, b};
-  if (!lines[a].closed) return Cover{b, a};
-  const auto ring = [&](Index line) -> const CleanLine& { return lines[rings[line]]; };
-  Index front = a, behind = b;
-  if (last_stroke(ring(b)) >= last_stroke(ring(a))) std::swap(front, behind);
-  const bool later_is_behind = told_behind_line(drawing, ring(front), ring(behind));
-  const bool chosen = later_is_behind || told_behind_line(drawing, ring(behind), ring(front));
-  if (later_is_behind) std::swap(front, behind);
-  return Cover{front, behind, chosen, rings[front] != front};
-}
 
 std::vector<Cover> covers_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const LinePairs& crossing,
                              bool tubes_only) {
-  std::vector<Index> rings(lines.size(), no_index);
+  std::vector<Index> rings(lines.size(), no_index);  // of closed lines that cross closed ones
+  const auto ring = [&](Index line) -> const CleanLine& {
+    if (rings[line] == no_index) rings[line] = ring_of(drawing, lines, crossing, line);
+    return lines[rings[line]];
+  };
   std::vector<Cover> covers;
   for (const auto& [a, b] : crossing) {
+    const bool are_closed = lines[a].closed && lines[b].closed;
     if (tubes_only && !lines[a].grows() && !lines[b].grows()) continue;
-    for (const Index line : {a, b}) {
-      if (rings[line] == no_index) rings[line] = ring_of(drawing, lines, crossing, line);
-    }
-    if (const std::optional<Cover> cover = cover_between(drawing, lines, rings, a, b)) covers.push_back(*cover);
+    if (!lines[a].closed && !lines[b].closed) continue;
+    Cover& cover = covers.emplace_back(Cover{a, b});
+    const bool is_later = are_closed ? last_stroke(ring(b)) >= last_stroke(ring(a)) : lines[b].closed;
+    if (is_later) std::swap(cover.front, cover.behind);
+    if (!are_closed) continue;
+    const CleanLine &later = ring(cover.front), &earlier = ring(cover.behind);
+    const bool later_is_behind = told_behind_line(drawing, later, earlier);
+    cover.chosen = later_is_behind || told_behind_line(drawing, earlier, later);
+    if (later_is_behind) std::swap(cover.front, cover.behind);
+    cover.is_hole = rings[cover.front] != cover.front;
   }
   // Lines are moved where they nearly touch, those in front first; what crosses then was meant to.
-  std::ranges::stable_sort(covers, std::greater(), [&](const Cover& c) { return last_stroke(lines[c.behind]); });
+  std::ranges::stable_sort(covers, std::greater(),
+                           [&](const Cover& cover) { return last_stroke(lines[cover.behind]); });
   return covers;
 }
 
@@ -117,17 +193,7 @@ struct LineRun {
   double depth = 0;     ///< how far it gets away from the cover, counted up to twice of what is shallow
 };
 
-/// Ascending parameters of the places where a line crosses another one.
-std::vector<double> crossing_parameters(const CleanLine& line, const CleanLine& other, double step) {
-  std::vector<double> parameters;
-  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(std::vector{line, other}), step))) {
-    if (contact.a.line != contact.b.line) parameters.push_back(contact.a.position + contact.fraction_a);
-  }
-  std::ranges::sort(parameters);
-  return parameters;
-}
-
-/// The runs between crossings. Sides alternate; the longest run tells which it is.
+/// The runs between crossings, which ascend. Sides alternate; the longest run shows which one is inside.
 std::vector<LineRun> runs_between(const std::vector<double>& crossings, const CleanLine& line, const CleanLine& cover) {
   const double last = line.segment_count();
   std::vector<LineRun> runs;
@@ -173,7 +239,11 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
 /// @returns one of the places where the two are meant to cross
 std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double shallow, double step) {
   const SegmentGrid grid(segments_of(std::vector{cover}), step);
-  const std::vector<double> crossings = crossing_parameters(line, cover, step);
+  std::vector<double> crossings;  // parameters
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(std::vector{line, cover}), step))) {
+    if (contact.a.line != contact.b.line) crossings.push_back(contact.a.position + contact.fraction_a);
+  }
+  std::ranges::sort(crossings);
   // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
   if (crossings.empty() || (line.closed && crossings.size() % 2 != 0)) return std::nullopt;
   std::vector<LineRun> runs = runs_between(crossings, line, cover);
@@ -202,53 +272,64 @@ Finding warning(const Drawing& drawing, const CrossingInView& pair) {
        crossing_subject(drawing, pair.at)});
 }
 
-// What is left.
-
-/// How many segments lie between two places of a line, the shorter way round a closed one.
-double separation(const CleanLine& line, double a, double b) {
-  const double apart = std::abs(a - b);
-  return line.closed ? std::min(apart, line.segment_count() - apart) : apart;
-}
-
-/// True where `stem` is the last bit of a line and `bar` the place where that line ends.
-bool is_junction(const std::vector<CleanLine>& lines, const std::vector<HiddenEnd>& ends, const GridSegment& stem,
-                 const GridSegment& bar) {
-  return std::ranges::any_of(ends, [&](const HiddenEnd& end) {
-    if (end.line != stem.line || end.bar != bar.line) return false;
-    const double last = lines[stem.line].segment_count() - 1.0;
-    const double from_end = end.at_start ? stem.position : last - stem.position;
-    const double from_junction = separation(lines[bar.line], bar.position + 0.5, end.bar_parameter);
-    return from_end < junction_segments && from_junction < junction_segments + 1;
-  });
-}
-
-bool is_crossing(const SegmentContact& contact) {
-  const Vec2 u = contact.a.b - contact.a.a;
-  const Vec2 v = contact.b.b - contact.b.a;
-  return contact.crosses() && std::abs(cross(u, v)) > touch_sine * u.norm() * v.norm();
-}
-
-LineFinding describe(const Drawing& drawing, Index s1, Index s2, const SegmentContact& contact) {
-  const std::string first = in_quotes(drawing, s1);
-  const bool crossing = is_crossing(contact), itself = s1 == s2;
-  std::string sentence = itself ? first : first + " and " + in_quotes(drawing, s2);
-  if (crossing) {
-    sentence += itself ? " crosses itself in full view: which part" : " cross in full view: which one";
-    sentence += " is in front? Let the other one stop where it passes behind";
-  } else {
-    sentence +=
-        itself ? " touches itself: draw the two parts apart" : " touch: draw them apart, or let one end at the other";
-  }
-  std::vector<Subject> subjects{stroke_subject(drawing, s1, contact.at)};
-  if (!itself) subjects.push_back(stroke_subject(drawing, s2, contact.at));
-  subjects.push_back(crossing_subject(drawing, contact.at));
-  LineFinding result{make_error(Category::Geometry, crossing ? "E_CROSS" : "E_TOUCH", sentence, std::move(subjects)),
-                     {contact.a.line}};
-  if (contact.b.line != contact.a.line) result.lines.push_back(contact.b.line);
-  return result;
-}
-
 }  // namespace
+
+bool is_hole_of_ring(const Points& inner, const Points& outer, std::size_t things) {
+  const std::size_t step = std::max<std::size_t>(1, inner.size() / measured_samples);
+  std::vector<double> widths;  // of the ring between both, ascending
+  for (std::size_t i = 0; i < inner.size(); i += step) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+      const Vec2 nearest = nearest_on_segment(inner[i], outer[k], outer[(k + 1) % outer.size()]);
+      least = std::min(least, (nearest - inner[i]).norm());
+    }
+    widths.push_back(least);
+  }
+  std::ranges::sort(widths);
+  const double width = widths[static_cast<std::size_t>(width_quantile * static_cast<double>(widths.size()))];
+  const auto even = std::upper_bound(widths.begin(), widths.end(), even_factor * width) - widths.begin();
+  const double radius = 2 * std::abs(signed_area(inner)) / length(inner, true);
+  const bool round = widths.back() <= round_factor * widths.front() && width <= widest_round_ring * radius;
+  if (things == 0 && round) return true;
+  const double widest = widest_ring[std::min(things, widest_ring.size() - 1)];
+  return static_cast<double>(even) >= even_share * static_cast<double>(widths.size()) && width <= widest * radius;
+}
+
+std::optional<bool> hole_by_kind(const Drawing& drawing, const std::vector<Index>& strokes) {
+  for (const Index stroke : strokes) {
+    const StrokeKind kind = stroke_kind(drawing.strokes[stroke]).value_or(StrokeKind::Visible);
+    if (kind == StrokeKind::Hole) return true;
+    if (kind == StrokeKind::Part || kind == StrokeKind::Blob) return false;
+  }
+  return std::nullopt;
+}
+
+void lead_into_neighbours(std::vector<CleanLine>& lines, const DrawingScale& scale) {
+  if (scale.reach_share <= 0) return;
+  const std::vector<Index> thing = things_of(lines, scale);
+  std::vector<Eigen::AlignedBox2d> boxes(lines.size());
+  for (Index i = 0; i < lines.size(); ++i) {
+    for (const Vec2& point : lines[i].points) boxes[i].extend(point);
+  }
+  for (Index a = 0; a < lines.size(); ++a) {
+    CleanLine& line = lines[a];
+    const auto is_around = [&](const CleanLine& other) {
+      const auto is_inside = [&](const Vec2& point) { return encloses(other.points, point); };
+      return &other != &line && other.closed && std::ranges::all_of(line.points, is_inside);
+    };
+    if (!line.closed || line.tube || std::ranges::count(thing, thing[a]) > 1) continue;
+    if (std::ranges::any_of(lines, is_around)) continue;
+    Approach nearest;
+    for (Index b = 0; b < lines.size(); ++b) {
+      if (b == a || lines[b].tube || lines[b].size < line.size) continue;
+      const double reach = scale.reach(lines[b].size);
+      if (boxes[a].exteriorDistance(boxes[b]) > reach) continue;
+      const Approach approach = approach_of(line, lines[b], reach);
+      if (approach.distance < nearest.distance) nearest = approach;
+    }
+    if (std::isfinite(nearest.distance)) lead(line, nearest);
+  }
+}
 
 VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
                                          const DrawingScale& scale, bool tubes_only, const Progress& progress) {
@@ -265,45 +346,13 @@ VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<Cle
     found.in_front.emplace(cover.front, cover.behind);
     found.behind.insert(cover.behind);
     found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
-    if (cover.is_hole) continue;
+    if (cover.is_hole || grown) continue;
     const bool whole = line.closed && front.closed && !front.bridged;
-    found.pairs.push_back({last_stroke(front), last_stroke(line), *at, cover.chosen, whole, grown});
+    found.pairs.push_back({last_stroke(front), last_stroke(line), *at, cover.chosen, whole});
   }
   std::ranges::sort(found.pairs, {}, [](const CrossingInView& pair) { return std::pair(pair.front, pair.behind); });
-  for (const CrossingInView& pair : found.pairs) {
-    if (!pair.grown) found.findings.push_back(warning(drawing, pair));
-  }
+  for (const CrossingInView& pair : found.pairs) found.findings.push_back(warning(drawing, pair));
   return found;
-}
-
-LineFindings find_line_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines,
-                                 const std::vector<HiddenEnd>& ends, const VisibleCrossings& order,
-                                 const DrawingScale& scale, const Progress& progress) {
-  const double reach = touch_distance * scale.unit;
-  std::map<std::pair<Index, Index>, SegmentContact> worst;  // by strokes; a crossing counts as worse than a touch
-  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step), reach)) {
-    progress.check();
-    const auto& [a, b] = std::tie(contact.a, contact.b);
-    const double apart = a.line == b.line ? separation(lines[a.line], a.position, b.position) : own_segments + 1;
-    if (order.is_known(a.line, b.line) || (!contact.crosses() && apart <= own_segments)) continue;
-    if (is_junction(lines, ends, a, b) || is_junction(lines, ends, b, a)) continue;
-    const auto strokes = std::minmax({lines[a.line].stroke[a.position], lines[b.line].stroke[b.position]});
-    const auto [place, fresh] = worst.try_emplace(strokes, contact);
-    if (!fresh && is_crossing(contact) && !is_crossing(place->second)) place->second = contact;
-  }
-  LineFindings findings;
-  for (const auto& [strokes, contact] : worst) {
-    findings.push_back(describe(drawing, strokes.first, strokes.second, contact));
-  }
-  return findings;
-}
-
-LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
-  LinePairs pairs;
-  for (const auto& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step))) {
-    if (contact.a.line != contact.b.line) pairs.emplace(contact.a.line, contact.b.line);
-  }
-  return pairs;
 }
 
 }  // namespace croquis::silhouette
