@@ -103,7 +103,7 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
   } else {
     const GivenPiece& given = ends.context.junctions.given[candidate.given];
     piece.points = given_points(ends, given, leaving, arriving);
-    stroke = given.stroke.front();
+    stroke = given.stroke;
     piece.strokes = {stroke};
   }
   piece.raw = piece.points;

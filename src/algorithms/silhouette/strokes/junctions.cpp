@@ -153,8 +153,7 @@ void give_pieces(const Drawing& drawing, const std::vector<SampledStroke>& hidde
       end.tangent = (ahead - end.at).normalized();
       end.bar_side = cross(bar_direction(lines, end), end.tangent) >= 0 ? 1 : -1;
     }
-    std::vector<Index> strokes(points.size(), stroke.stroke);
-    junctions.given.push_back({from, to, std::move(points), std::move(strokes)});
+    junctions.given.push_back({from, to, std::move(points), stroke.stroke});
   }
 }
 

@@ -25,7 +25,7 @@ struct GivenPiece {
   Index from = 0;  ///< positions in Junctions::ends
   Index to = 0;
   Points points;
-  std::vector<Index> stroke;  ///< per point
+  Index stroke = 0;
 };
 
 struct Junctions {
