@@ -51,14 +51,8 @@ void trim_overlap(CleanLine& line, const Vec2& next, double reach) {
 
 double smooth_step(double share) { return share * share * (3 - 2 * share); }
 
-/// Moves samples from one end on by less and less.
-void bend(std::span<Vec2> points, bool at_start, const Vec2& by, double reach) {
-  walk_back(points, at_start, reach, [&](Vec2& point, double distance) {
-    point += smooth_step(std::clamp(1 - distance / reach, 0.0, 1.0)) * by;
-  });
-}
-
-/// Brings the end of one line and the start of another (or of the same) opposite each other.
+/// Brings the end of one line and the start of another (or of the same) opposite each other: samples are moved by less
+/// and less from there on.
 /// @param length of the shorter one
 void bend_together(std::span<Vec2> ending, std::span<Vec2> starting, double length) {
   const Vec2 miss = starting.front() - ending.back();
@@ -70,8 +64,12 @@ void bend_together(std::span<Vec2> ending, std::span<Vec2> starting, double leng
   const Vec2 aside = miss - miss.dot(along) * along;
   const double bent = std::min(bending_ratio * aside.norm(), longest_bend * length);
   if (!(bent > 0)) return;
-  bend(ending, false, 0.5 * aside, bent);
-  bend(starting, true, -0.5 * aside, bent);
+  for (const bool at_start : {false, true}) {
+    const Vec2 by = (at_start ? -0.5 : 0.5) * aside;
+    walk_back(at_start ? starting : ending, at_start, bent, [&](Vec2& point, double distance) {
+      point += smooth_step(std::clamp(1 - distance / bent, 0.0, 1.0)) * by;
+    });
+  }
 }
 
 /// Makes the end of a line run into its start.
