@@ -17,8 +17,6 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Bends sharper than this angle within so many steps are corners.
 constexpr double corner_angle = std::numbers::pi / 3;
 constexpr double corner_reach = 3;
@@ -42,11 +40,13 @@ constexpr int circle_points = 20;
 struct NearestSample {
   Index line = no_index;
   Vec2 place = Vec2::Zero();
-  double distance = infinity;
+  double distance = std::numeric_limits<double>::infinity();
 };
 
+/// @param lines that have `points`
 /// @param first line that is looked at
-NearestSample nearest_sample(const std::vector<CleanLine>& lines, Index first, const Vec2& place) {
+template <typename Line>
+NearestSample nearest_sample(const std::vector<Line>& lines, Index first, const Vec2& place) {
   NearestSample nearest;
   for (Index line = first; line < lines.size(); ++line) {
     for (const Vec2& point : lines[line].points) {
@@ -160,7 +160,7 @@ Findings gaps_closed(const Drawing& drawing, const SampledDrawing& sampled, cons
 
 /// A stretch of a stroke that becomes a limb.
 struct Limb {
-  Points line;
+  Points points;
   Index stroke = 0;              ///< index into Drawing::strokes
   std::vector<double> radius{};  ///< per point
 };
@@ -209,15 +209,7 @@ CleanLine line_of(const Points& ring, const std::vector<Limb>& limbs, double ste
   line.points = even_points(ring, true, step);
   line.raw = line.points;
   for (const Vec2& point : line.points) {
-    double least = infinity;
-    line.stroke.push_back(limbs.front().stroke);
-    for (const Limb& limb : limbs) {
-      for (const Vec2& place : limb.line) {
-        if ((place - point).squaredNorm() >= least) continue;
-        least = (place - point).squaredNorm();
-        line.stroke.back() = limb.stroke;
-      }
-    }
+    line.stroke.push_back(limbs[nearest_sample(limbs, 0, point).line].stroke);
   }
   const std::set<Index> strokes(line.stroke.begin(), line.stroke.end());
   line.strokes.assign(strokes.begin(), strokes.end());
@@ -232,7 +224,7 @@ std::vector<CleanLine> outlines_of(const std::vector<Limb>& limbs, const Drawing
   using BoostPoint = bg::model::d2::point_xy<double>;
   using Polygon = bg::model::polygon<BoostPoint>;
   using Polygons = bg::model::multi_polygon<Polygon>;
-  const Vec2 origin = limbs.front().line.front();  // Boost counts in whole numbers: coordinates are to be small
+  const Vec2 origin = limbs.front().points.front();  // Boost counts in whole numbers: coordinates are to be small
   const auto unite = [](Polygons& all, const auto& piece) {
     Polygons joined;
     bg::union_(all, piece, joined);
