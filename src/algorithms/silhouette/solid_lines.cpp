@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "algorithms/silhouette/strokes/polyline.h"
-#include "croquis/geometry/segment_grid.h"
 #include "croquis/geometry/polyline.h"
+#include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {
 namespace {
