@@ -23,8 +23,6 @@ constexpr int maximum_simplex_iterations = 200'000;
 // Nearer to a whole number than this a relaxation's value is one.
 constexpr double whole_tolerance = 1e-5;
 constexpr double cost_tolerance = 1e-9;
-// Branches are on what is broken most and costs most: there bounds grow fastest. This much counts where nothing costs.
-constexpr double least_weight = 0.1;
 
 [[noreturn]] void throw_refused() {
   throw Error(make_error(Category::Internal, "E_INTERNAL", "The integer program of the drawing was refused by GLPK"));
@@ -249,15 +247,14 @@ void IntegerProgram::branch(Part& part, Node node, Relaxation& relaxation, Index
   node.basis = relaxation.basis();
   node.rows = part.rows.size();
   Index most_broken = no_index;
-  double most = 0;
+  double most = whole_tolerance;
   node.values.clear();
   for (Index v = 0; v < part.cost.size() && (v != first || most_broken == no_index); ++v) {
     const double value = relaxation.value(v);
     const double off = std::abs(value - std::round(value));
     node.values.push_back(static_cast<int>(std::lround(value)));
-    const double score = off > whole_tolerance ? off * (least_weight + std::abs(part.cost[v])) : 0;
-    if (score <= most) continue;
-    most = score;
+    if (off <= most) continue;
+    most = off;
     most_broken = v;
   }
   if (most_broken == no_index) return part.open.push_back(std::move(node));

@@ -221,7 +221,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   DrawingScale scale = material.sampled.scale;
   const StrokeOptions& options = material.options.strokes;
   ContourLines contours = contour_lines(drawing, material.sampled, material.connections, material.envelope, reading,
-                                        options.smoothing_passes, progress);
+                                        material.sampled.smoothing_passes, progress);
   std::vector<CleanLine>& lines = contours.lines;
   Findings findings = material.sampled.findings;
   append(std::move(contours.findings), findings);

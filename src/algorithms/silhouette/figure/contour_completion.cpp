@@ -42,8 +42,10 @@ struct SeenEnd : HiddenEnd {
   const SeenEnd* other = nullptr;    ///< at the line's other end; null where that isn't hidden
   int side = 0;                      ///< the surface lies left (+1) or right (-1), 0 where no stem gives it
   int likely_side = 1;               ///< the same, else by which way the line goes round
-  bool is_round = false;             ///< its ends are nearer to one another than half its length
-  double turning = 0;                ///< of the line, from its first to its last direction
+  /// How sure it is that the surface lies on the side that the line bends round: 1 for one that nearly closes, 0 for
+  /// one whose ends are farther apart than half its length.
+  double roundness = 0;
+  double turning = 0;  ///< of the line, from its first to its last direction
   int handle = 0;  ///< outer (+1) or inner side (-1) of a handle: two lines from one thing, one goes round the other
 };
 
@@ -99,7 +101,7 @@ std::vector<SeenEnd> seen_ends(const std::vector<CleanLine>& lines, const Juncti
     const Points& points = end.drawn->points;
     const int outward = end.at_start ? -1 : 1;
     end.side = outward * junctions.sides[end.line];
-    end.is_round = 2 * (points.back() - points.front()).norm() < length(points, false);
+    end.roundness = std::max(0.0, 1 - 2 * (points.back() - points.front()).norm() / length(points, false));
     end.turning = outward * turning_of(points, false);
     ends.push_back(end);
   }
@@ -189,7 +191,7 @@ struct Strip {
 /// The candidates that run nearly straight from one end to the other.
 std::vector<Side> straight_sides(const std::vector<SeenEnd>& ends, const std::vector<CompletionCandidate>& candidates) {
   // A straight line goes round neither of its sides.
-  const auto surface = [](const SeenEnd& end) { return end.side != 0 || end.is_round ? end.likely_side : 0; };
+  const auto surface = [](const SeenEnd& end) { return end.side != 0 || end.roundness > 0 ? end.likely_side : 0; };
   std::vector<Side> sides;
   for (Index c = 0; c < candidates.size(); ++c) {
     const SeenEnd& a = ends[candidates[c].a];
@@ -447,6 +449,7 @@ std::vector<CompletionCandidate> completion_candidates(const std::vector<CleanLi
         const int agreed = a.likely_side == -b.likely_side ? a.likely_side : 0;
         candidate.curve = completion_curve(a.place, a.tangent, b.place, b.tangent);
         candidate.shape_cost = completion_cost(candidate.curve, agreed, reference, options);
+        if (agreed == 0) candidate.shape_cost += costs::opposite_sides * std::min(a.roundness, b.roundness);
         candidate.most = highest_cost(a, b, candidate.curve, junctions.jitter);
         if (candidate.cost() > options.maximum_cost) continue;
       }

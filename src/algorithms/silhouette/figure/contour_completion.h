@@ -56,7 +56,7 @@ struct CompletionCandidate {
   Cubic curve{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< from a to b, leaves both straight
   std::vector<std::uint8_t> shapes{0, 1, 2, 3, 4, 5, 6, 7};             ///< completion_shapes, the likeliest first
 
-  double shape_cost = 0;                                  ///< of its length and bending, see completion_cost
+  double shape_cost = 0;                                  ///< of its length, bending, and lines on opposite sides
   double most = std::numeric_limits<double>::infinity();  ///< no more than that, for it closes a limb
   double strip = 1;                                       ///< factor of a side of a strip, see favour_strips
   double open = 0;                                        ///< of the surfaces that are missing in front of it

@@ -73,7 +73,7 @@ std::vector<ChosenCompletion> in_likeliest_shapes(const Matching& matching) {
 /// @param refuse what contradicts at crossings alone, before the faces are found: that takes most of the time
 Arrangement arrange(const FigureContext& context, const PartLines& part, const std::vector<ChosenCompletion>& chosen,
                     bool refuse) {
-  const Arrangement closed = close_contours(context, part, chosen);
+  Arrangement closed = close_contours(context, part, chosen);
   if (closed.paths.empty()) return closed;
   Arrangement result;
   for (const double merging : mergings) {

@@ -43,6 +43,7 @@ inline constexpr double hidden_of_one_stroke = 1.6;  ///< completion_cost of a l
 // Candidates for hidden contours: what CompletionCandidate::cost combines. The unit is that of completion_cost, in
 // which a straight piece as long as hidden ends are apart from one another costs 1.
 inline constexpr double bent_away = 5;        ///< times the bending away from the surface: ends of limbs are caps
+inline constexpr double opposite_sides = 15;  ///< times how surely both lines bend round something, on opposite sides
 inline constexpr double limb_cap = 2.7;       ///< at most, where line and cap turn round once, however wide it is
 inline constexpr double strip = 0.15;         ///< factor of both sides of a strip that goes straight on: it is one part
 inline constexpr double strip_side = 0.6;     ///< at most, of each of them however long it is: less than two caps

@@ -50,6 +50,7 @@ LeastSquaresSolution solve_part(const Skeleton& skeleton, const std::vector<Coll
   std::vector<bool> given(part.rows.size(), true);
   if (part.rows.size() > settings.lazy_rows) given = most_demanding_rows(skeleton, rows, part);
   LeastSquaresSolution solution;
+  const auto height = [&](Index node) { return solution.x[3 * static_cast<Eigen::Index>(part.local(node))]; };
   bool violated = true;
   for (int round = 1; violated; ++round) {
     std::vector<CollisionRow> chosen;
@@ -64,7 +65,7 @@ LeastSquaresSolution solve_part(const Skeleton& skeleton, const std::vector<Coll
     violated = false;
     for (std::size_t q = 0; q < given.size(); ++q) {
       const CollisionRow& row = rows[part.rows[q]];
-      const double distance = solution.x[3 * part.local(row.upper)] - solution.x[3 * part.local(row.lower)];
+      const double distance = height(row.upper) - height(row.lower);
       if (given[q] || row.bound / skeleton.scale - distance <= holds) continue;
       given[q] = true;
       violated = true;

@@ -72,10 +72,33 @@ void bend_together(std::span<Vec2> ending, std::span<Vec2> starting, double leng
   }
 }
 
+/// Closes a line whose last bit crosses its first bit there, at the crossing nearest to the start.
+bool close_at_crossing(CleanLine& line, double reach, double spacing) {
+  const Points& points = line.points;
+  const auto last = static_cast<Index>(points.size() - 1);
+  const Index most = std::min(static_cast<Index>(reach / spacing) + 1, last / 3);
+  for (Index i = 0; i < most; ++i) {
+    for (Index k = last - most; k < last; ++k) {
+      if (!segments_cross(points[i], points[i + 1], points[k], points[k + 1])) continue;
+      const double fraction = crossing_fraction(points[i], points[i + 1], points[k], points[k + 1]);
+      const Vec2 at = points[i] + fraction * (points[i + 1] - points[i]);
+      line.change_samples([&](auto& values) {
+        values.resize(k + 1);
+        values.erase(values.begin(), values.begin() + i);
+      });
+      line.points.front() = at;
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Makes the end of a line run into its start.
 void close_line(CleanLine& line, const DrawingScale& scale) {
   const double length = croquis::length(line.points, false);
   if (scale.aside_share <= 0) return trim_overlap(line, line.points.front(), scale.gap);
+  const double spacing = length / static_cast<double>(line.points.size() - 1);
+  if (close_at_crossing(line, scale.close_share * length, spacing)) return;
   trim_overlap(line, line.points.front(), std::max(scale.gap, longest_overlap * scale.close_share * length));
   const std::span<Vec2> points(line.points);
   const std::size_t half = points.size() / 2;

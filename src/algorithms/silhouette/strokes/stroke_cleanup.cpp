@@ -23,12 +23,16 @@ namespace {
 constexpr double maximum_samples = 500'000;
 // At most so many times finer than the sheet's own u, which bounds the number of samples.
 constexpr double finest_unit = 8;
-// A program puts ends on lines, a hand doesn't. Programs round places to a pixel of a thousand;
+// A program puts ends on lines and draws curves, a hand does neither. Programs round places to a pixel of a thousand;
 // of hands that miss by 2 % one end in twenty is so near.
 constexpr double exact_miss = 1;  // u
 constexpr double most_exact = 0.9;
 // The part of the own stroke that an end doesn't lie on.
 constexpr double own_part = 40;  // u
+// Curves have less jitter, in steps, but for so many of their samples, which lie beside corners. Polylines of few
+// points have corners everywhere.
+constexpr double smooth_jitter = 0.01;
+constexpr double samples_at_corners = 0.2;
 // Lines nearer than this (u) over the share of the shorter one look like one line.
 constexpr double doubling_distance = 6;
 constexpr double doubling_share = 0.6;
@@ -175,6 +179,22 @@ bool are_ends_exact(const std::vector<SampledStroke>& strokes, const DrawingScal
   return ends > 0 && exact >= most_exact * ends;
 }
 
+/// Whether most samples lie on smooth curves: smoothing would only take from them.
+bool are_smooth(const std::vector<SampledStroke>& strokes, const DrawingScale& scale) {
+  std::vector<double> sizes;  // of the fourth differences of samples a step apart: cubic curves have none
+  for (const SampledStroke& stroke : strokes) {
+    const Points& p = stroke.points;
+    for (std::size_t i = 8; i < p.size(); i += 2) {
+      sizes.push_back((p[i - 8] - 4 * (p[i - 6] + p[i - 2]) + 6 * p[i - 4] + p[i]).norm() / 6);
+    }
+  }
+  if (sizes.empty()) return true;
+  const auto place = (1 - samples_at_corners) * static_cast<double>(sizes.size());
+  const auto jitter = sizes.begin() + static_cast<std::ptrdiff_t>(place);
+  std::ranges::nth_element(sizes, jitter);
+  return *jitter < smooth_jitter * scale.step;
+}
+
 /// The samples that are left of a stroke while ends are cut off: from `begin` to before `end`.
 struct KeptRun {
   Index begin = 0;
@@ -299,9 +319,11 @@ SampledDrawing sample_strokes(const Drawing& drawing, const StrokeOptions& optio
   std::ranges::copy_if(result.strokes, std::back_inserter(result.hidden), is_hidden);
   std::erase_if(result.strokes, is_hidden);
   cut_retraced_ends(result.strokes, result.scale);
-  if (options.adapts && are_ends_exact(result.strokes, result.scale)) {
-    set_tolerances(Options::of(Preset::Clean).strokes, result.scale);
-  }
+  result.smoothing_passes = options.smoothing_passes;
+  if (!options.adapts) return result;
+  const StrokeOptions exact = Options::of(Preset::Clean).strokes;
+  if (are_smooth(result.strokes, result.scale)) result.smoothing_passes = exact.smoothing_passes;
+  if (are_ends_exact(result.strokes, result.scale)) set_tolerances(exact, result.scale);
   return result;
 }
 

@@ -15,6 +15,7 @@ inline constexpr double least_typical_size = 150;
 /// The strokes of a drawing that can be read.
 struct SampledDrawing {
   DrawingScale scale;
+  int smoothing_passes = 0;
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<SampledStroke> hidden;   ///< those of kind "hidden"
   std::vector<Index> dots;             ///< indices into Drawing::strokes: too short to be a line of anything

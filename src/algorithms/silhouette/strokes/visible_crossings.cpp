@@ -35,16 +35,19 @@ constexpr std::size_t measured_samples = 64;
 // is moved.
 constexpr double led_depth = 0.12;
 constexpr double led_width = 0.25;
+// Closed lines that come nearer than this (u) are moved apart.
+constexpr double touching = 0.2;
 // Samples on the wrong side are moved to this share of what counts as shallow on the right one.
 constexpr double moved_share = 0.5;
 
 using LinePairs = std::set<std::pair<Index, Index>>;
 
-/// Pairs of lines that cross; the lower index first.
+/// Pairs of lines that cross, and of closed ones that touch; the lower index first.
 LinePairs crossing_pairs(const std::vector<CleanLine>& lines, const DrawingScale& scale) {
   LinePairs pairs;
-  for (const auto& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step))) {
-    if (contact.a.line != contact.b.line) pairs.emplace(contact.a.line, contact.b.line);
+  for (const auto& contact : find_contacts(SegmentGrid(segments_of(lines), scale.step), touching * scale.unit)) {
+    const Index a = contact.a.line, b = contact.b.line;
+    if (a != b && (contact.crosses() || (lines[a].closed && lines[b].closed))) pairs.emplace(a, b);
   }
   return pairs;
 }
@@ -146,6 +149,11 @@ bool told_behind_line(const Drawing& drawing, const CleanLine& line, const Clean
   });
 }
 
+/// The ends of an outline that was left open are seen within what it lies in front of.
+bool opens_within(const CleanLine& line, const CleanLine& other) {
+  return line.bridged && encloses(other.points, (line.points.front() + line.points.back()) / 2);
+}
+
 /// A line in front of another one.
 struct Cover {
   Index front = 0;
@@ -173,7 +181,8 @@ std::vector<Cover> covers_of(const Drawing& drawing, const std::vector<CleanLine
     const CleanLine &later = ring(cover.front), &earlier = ring(cover.behind);
     const bool later_is_behind = told_behind_line(drawing, later, earlier);
     cover.chosen = later_is_behind || told_behind_line(drawing, earlier, later);
-    if (later_is_behind) std::swap(cover.front, cover.behind);
+    const bool earlier_opens = opens_within(earlier, later) && !opens_within(later, earlier);
+    if (later_is_behind || earlier_opens) std::swap(cover.front, cover.behind);
     cover.is_hole = rings[cover.front] != cover.front;
   }
   // Lines are moved where they nearly touch, those in front first; what crosses then was meant to.
@@ -235,7 +244,7 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
   }
 }
 
-/// Runs that stay near to a closed line are moved to its other side.
+/// Runs that stay near to a closed line are moved to its other side, and a line that only touches it is moved off it.
 /// @returns one of the places where the two are meant to cross
 std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double shallow, double step) {
   const SegmentGrid grid(segments_of(std::vector{cover}), step);
@@ -244,8 +253,13 @@ std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, do
     if (contact.a.line != contact.b.line) crossings.push_back(contact.a.position + contact.fraction_a);
   }
   std::ranges::sort(crossings);
+  if (crossings.empty()) {
+    const bool inside = encloses(cover.points, line.points.front());
+    move_aside(line, cover, grid, {0, static_cast<double>(line.segment_count()), inside, inside}, shallow);
+    return std::nullopt;
+  }
   // A closed line can't enter another one more often than it leaves it, unless one of them crosses itself.
-  if (crossings.empty() || (line.closed && crossings.size() % 2 != 0)) return std::nullopt;
+  if (line.closed && crossings.size() % 2 != 0) return std::nullopt;
   std::vector<LineRun> runs = runs_between(crossings, line, cover);
   for (LineRun& run : runs) {
     for (auto i = static_cast<Index>(std::ceil(run.begin)); i <= run.end && run.depth < 2 * shallow; ++i) {

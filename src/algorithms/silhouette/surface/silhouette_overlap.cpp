@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "algorithms/silhouette/surface/shell.h"
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 
 namespace croquis::silhouette {
 namespace {
