@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "croquis/geometry/morton_code.h"
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 
 namespace croquis {
 namespace {

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "croquis/geometry/morton_code.h"
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 #include "tools/pointer/face_hit.h"
 
 namespace croquis {

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "algorithms/hole_filling/fairing/patch_editing.h"
-#include "croquis/geometry/morton_code.h"
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 #include "croquis/geometry/self_intersection.h"
 
 namespace croquis::hole_filling {

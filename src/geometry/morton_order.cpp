@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 
 #include <algorithm>
 #include <array>

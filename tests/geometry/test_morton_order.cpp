@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/geometry/radix_order.h"
+#include "croquis/geometry/morton_order.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -25,5 +25,16 @@ TEST_CASE("keys of any size and number come in the order of a stable sort") {
       std::stable_sort(expected.begin(), expected.end(), [&](Index a, Index b) { return keys[a] < keys[b]; });
       CHECK(radix_order(keys) == expected);
     }
+  }
+}
+
+TEST_CASE("bit i of a number goes to bit 3 i, and no other bit is set") {
+  constexpr unsigned most_bits = 21;
+  Random random(1);
+  for (int run = 0; run < 1000; ++run) {
+    const std::uint64_t number = random.bits() & ((1U << most_bits) - 1);
+    std::uint64_t expected = 0;
+    for (unsigned bit = 0; bit < most_bits; ++bit) expected |= (number >> bit & 1U) << (3 * bit);
+    CHECK(spread_by_three(number) == expected);
   }
 }
