@@ -9,6 +9,8 @@
 #include <queue>
 #include <stdexcept>
 
+#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/depth.h"
 namespace croquis::test {
 namespace {
 
@@ -473,6 +475,14 @@ FigureFixture linked_rings_figure() {
   };
   return figure_of_tubes(
       std::vector{FixtureTube{"left", ring(0, 40), 30, true}, FixtureTube{"right", ring(170, -40), 30, true}});
+}
+
+silhouette::InflatedSheets inflated_sheets(const silhouette::LabelledFigure& figure) {
+  Progress progress;
+  silhouette::Skeleton skeleton = silhouette::chordal_axis(figure, 0.3, progress);
+  solve_depth(skeleton, figure, {}, progress);
+  const silhouette::SheetBasis basis = make_sheet_basis(figure, skeleton, silhouette::Quality::Final, {}, progress);
+  return raise_sheets(skeleton, basis, {}, progress);
 }
 
 }  // namespace croquis::test

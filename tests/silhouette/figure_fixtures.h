@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/silhouette/surface/inflation.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
 
@@ -53,5 +54,8 @@ FigureFixture figure_eight_figure();      ///< a closed tube that crosses itself
 FigureFixture snake_figure();             ///< an open tube that makes a loop across itself
 FigureFixture trefoil_figure();           ///< a tube tied into a trefoil knot
 FigureFixture linked_rings_figure();      ///< two rings, each in front of the other at one place
+
+/// The sheets of a figure with the usual settings.
+silhouette::InflatedSheets inflated_sheets(const silhouette::LabelledFigure& figure);
 
 }  // namespace croquis::test

@@ -12,7 +12,6 @@
 #include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "silhouette/figure_fixtures.h"
-#include "silhouette/inflated_sheets.h"
 #include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;

@@ -10,7 +10,6 @@
 #include "algorithms/silhouette/surface/sheet_improvement.h"
 #include "croquis/geometry/self_intersection.h"
 #include "silhouette/figure_fixtures.h"
-#include "silhouette/inflated_sheets.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 
