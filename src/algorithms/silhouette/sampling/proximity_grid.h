@@ -32,9 +32,7 @@ class ProximityGrid {
   bool any_within(const Vec2& place, double distance) const {
     const auto cell = cells_.find(cell_of(place));
     return cell != cells_.end() && std::any_of(cell->second.begin(), cell->second.end(), [&](const auto& item) {
-             const auto& [a, b] = item;
-             const Vec2 nearest = a + nearest_parameter(place, a, b) * (b - a);
-             return (nearest - place).squaredNorm() < distance * distance;
+             return (nearest_on_segment(place, item[0], item[1]) - place).squaredNorm() < distance * distance;
            });
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/sampling/proximity_grid.h"
 #include "algorithms/silhouette/sampling/rim_radius.h"
@@ -62,13 +64,6 @@ void cut_at_distance(const CyclicContour& contour, Index position, int direction
     if (std::none_of(own.begin(), own.end(), is_near)) own.push_back(fraction);
     return;
   }
-}
-
-/// The corner of the figure's bounding box with the least, and the one with the greatest coordinates.
-std::array<Vec2, 2> corners_of_box(const std::vector<Vec2>& points) {
-  std::array<Vec2, 2> box{points.front(), points.front()};
-  for (const Vec2& point : points) box = {box[0].cwiseMin(point), box[1].cwiseMax(point)};
-  return box;
 }
 
 class SheetPointCollector {
@@ -146,9 +141,10 @@ class SheetPointCollector {
   void add_hexagons() {
     const double height = spacing_ * std::sqrt(0.75);
     // Counted from the middle, so that a shifted or mirrored drawing gets the shifted or mirrored points.
-    const auto [low, high] = corners_of_box(figure_.points);
-    const Vec2 middle = (low + high) / 2;
-    const Vec2 half = (high - low) / 2;
+    Eigen::AlignedBox2d box;
+    for (const Vec2& point : figure_.points) box.extend(point);
+    const Vec2 middle = box.center();
+    const Vec2 half = box.sizes() / 2;
     const auto rows = static_cast<int>(half.y() / height);
     const auto columns = static_cast<int>(half.x() / spacing_) + 1;
     for (int j = -rows; j <= rows; ++j) {

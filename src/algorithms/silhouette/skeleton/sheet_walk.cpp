@@ -8,6 +8,7 @@
 
 #include "algorithms/silhouette/skeleton/triangle_corners.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/polyline.h"
 #include "croquis/geometry/predicates.h"
 
 namespace croquis::silhouette {
@@ -31,7 +32,7 @@ struct SheetWalk::State {
   }
 
   /// Where the line crosses the line through two points.
-  double fraction(const Vec2& a, const Vec2& b) const { return cross(a - start, b - a) / cross(target - start, b - a); }
+  double fraction(const Vec2& a, const Vec2& b) const { return crossing_fraction(start, target, a, b); }
 
   /// For points on the line: not before the target.
   bool reaches_target(const Vec2& point) const {
