@@ -12,6 +12,7 @@
 
 #include "algorithms/silhouette/joining/union_triangles.h"
 #include "algorithms/silhouette/surface/triangle_shape.h"
+#include "croquis/geometry/polyline.h"
 #include "croquis/geometry/triangle_tree.h"
 
 namespace croquis::silhouette {
@@ -34,13 +35,6 @@ constexpr double most_off_outline = 0.004;
 constexpr double most_off_seam = 0.025;
 
 constexpr double least_turned = 0.93;  // cosine: no triangle turns further from what was there
-
-/// The point of a segment that is nearest to a place.
-Vec3 foot_on_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
-  const Vec3 along = b - a;
-  const double length = along.squaredNorm();
-  return length > 0 ? Vec3(a + std::clamp((place - a).dot(along) / length, 0.0, 1.0) * along) : a;
-}
 
 /// Outlines and seams at a vertex.
 struct FeatureLine {
