@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
 
 #include "algorithms/silhouette/strokes/polyline.h"
+#include "algorithms/silhouette/surface_columns.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/geometry/segment_grid.h"
 
@@ -20,60 +19,21 @@ namespace {
 // by more, the line goes over the edge of what lies in front.
 constexpr double steepest = 8;
 
-/// The foremost surface over each place of the drawing.
-class FrontSurface {
- public:
-  FrontSurface(const PolyMesh& mesh, double cell) : mesh_(mesh), cell_(cell) {
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-      const auto corners = mesh.face(f);
-      Vec2 low = xy(corners[0]), high = low;
-      for (const Index v : corners) {
-        low = low.cwiseMin(xy(v));
-        high = high.cwiseMax(xy(v));
-      }
-      const auto [left, bottom] = cell_of(low);
-      const auto [right, top] = cell_of(high);
-      for (long x = left; x <= right; ++x) {
-        for (long y = bottom; y <= top; ++y) faces_[{x, y}].push_back(f);
-      }
-    }
-  }
-
-  std::optional<double> height(const Vec2& place) const {
-    const auto faces = faces_.find(cell_of(place));
-    if (faces == faces_.end()) return std::nullopt;
-    std::optional<double> highest;
-    for (const Index f : faces->second) {
-      const auto corners = mesh_.face(f);
-      const Vec2 a = xy(corners[0]), b = xy(corners[1]), c = xy(corners[2]);
-      const double area = cross(b - a, c - a);
-      if (area <= 0) continue;  // it faces away
-      const double at_b = cross(place - a, c - a) / area, at_c = cross(b - a, place - a) / area;
-      if (at_b < 0 || at_c < 0 || at_b + at_c > 1) continue;
-      const double z = (1 - at_b - at_c) * z_of(corners[0]) + at_b * z_of(corners[1]) + at_c * z_of(corners[2]);
-      highest = std::max(highest.value_or(z), z);
-    }
-    return highest;
-  }
-
- private:
-  Vec2 xy(Index vertex) const { return mesh_.positions[vertex].head<2>(); }
-  double z_of(Index vertex) const { return mesh_.positions[vertex].z(); }
-  std::pair<long, long> cell_of(const Vec2& place) const {
-    return {std::lround(place.x() / cell_), std::lround(place.y() / cell_)};
-  }
-
-  const PolyMesh& mesh_;
-  double cell_;
-  std::map<std::pair<long, long>, std::vector<Index>> faces_;
-};
+/// Height of the foremost surface over a place.
+std::optional<double> front_height(const SurfaceColumns& columns, const Vec2& place) {
+  std::optional<double> highest;
+  columns.at(place, 0, [&](Index, double z, bool faces_viewer) {
+    if (faces_viewer) highest = std::max(highest.value_or(z), z);
+  });
+  return highest;
+}
 
 }  // namespace
 
 std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, const PolyMesh& mesh, double step) {
   std::vector<SurfaceLine> lines;
   if (drawn.empty()) return lines;
-  const FrontSurface surface(mesh, 2 * step);
+  const SurfaceColumns columns(mesh, 2 * step);
   for (const auto& [stroke, points, closed] : drawn) {
     std::vector<double> parameters = even_parameters(points, closed, step);
     if (closed) parameters.push_back(parameters.front());
@@ -84,7 +44,7 @@ std::vector<SurfaceLine> surface_lines(const std::vector<DrawnLine>& drawn, cons
     };
     for (const double parameter : parameters) {
       const Vec2 place = point_at(points, parameter);
-      const std::optional<double> z = surface.height(place);
+      const std::optional<double> z = front_height(columns, place);
       if (z && !line.points.empty()) {
         const Vec3 way = Vec3(place.x(), place.y(), *z) - line.points.back();
         if (std::abs(way.z()) > steepest * std::max(step, way.head<2>().norm())) finish();
