@@ -82,6 +82,18 @@ constexpr auto members(const DepthOptions& options) {
 }
 static_assert(lists_every_member<DepthOptions>);
 
+/// What details of the drawing become.
+enum class DetailShape {
+  Line,    ///< lines on the surface
+  Groove,  ///< cut into it
+  Ridge    ///< raised from it
+};
+
+struct DetailOptions {
+  DetailShape shape = DetailShape::Line;
+  double width = 8;  ///< u, 2..50: of a groove or ridge, which is a third as deep
+};
+
 enum class Quality {
   Draft,  ///< to be looked at while something is dragged: coarser, unproven, attached parts not yet joined
   Final
@@ -109,6 +121,7 @@ struct Options {
   DepthOptions depth;
   std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
   bool attach_suggested = false;     ///< pairs not named above are held as `attach_suggestions` says
+  DetailOptions details;
   Quality quality = Quality::Final;  ///< of the surface; the labelled figure is the same for both
   StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is computed
 

@@ -12,6 +12,7 @@
 
 #include "algorithms/silhouette/attached_pairs.h"
 #include "algorithms/silhouette/figure_solid.h"
+#include "algorithms/silhouette/relief.h"
 #include "algorithms/silhouette/skeleton/object_weights.h"
 #include "algorithms/silhouette/solid_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
@@ -236,8 +237,13 @@ std::vector<FigureSettings> settings_of_figures(const LabelledDrawing& labelled,
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
   AttachedFigures attached = attached_figures(labelled, drawing, options);
   const std::vector<FigureSettings> settings = settings_of_figures(labelled, drawing, options, attached);
-  double total = 0;
-  for (const LabelledFigure& figure : labelled.figures) total += static_cast<double>(figure.points.size());
+  constexpr double carving_share = 0.2;
+  const double inflating_share = options.details.shape == DetailShape::Line ? 1 : 1 - carving_share;
+  double total = 0, unit = 0;
+  for (const LabelledFigure& figure : labelled.figures) {
+    total += static_cast<double>(figure.points.size());
+    unit = std::max(unit, figure.unit);
+  }
 
   SolidSoFar made;
   Solid& solid = made.solid;
@@ -246,13 +252,17 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
   solid.mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>{}, {}});
   for (std::size_t f = 0; f < labelled.figures.size(); ++f) {
     const LabelledFigure& figure = labelled.figures[f];
-    Progress part = progress.step("inflate part", static_cast<double>(figure.points.size()) / total);
+    Progress part = progress.step("inflate part", inflating_share * static_cast<double>(figure.points.size()) / total);
     try_figure(figure, drawing, settings[f], made, part);
   }
   add_lines(labelled, drawing, solid);
   const DrawnUse use = use_of(drawing, solid, made.largest_area);
   require_use(labelled, drawing, use, solid);
   solid.used = use.share;
+  if (options.details.shape != DetailShape::Line) {
+    Progress carving = progress.step("carve details", carving_share);
+    carve_lines(drawing, options.details, unit, solid, carving);
+  }
   const bool measured = made.overlap.either > 0;
   solid.diagnostics.silhouette_iou = measured ? made.overlap.ratio() : std::numeric_limits<double>::quiet_NaN();
   progress.report(1);
