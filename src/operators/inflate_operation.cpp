@@ -21,6 +21,8 @@ using silhouette::Preset;
 
 constexpr std::array<const char*, 2> crossings_names = {"front", "refuse"};  // in the order of silhouette::Crossings
 
+constexpr std::array<const char*, 3> detail_names = {"lines", "groove", "ridge"};  // as silhouette::DetailShape
+
 constexpr std::array<const char*, 3> preset_names = {"auto", "clean", "tablet"};  // in the order of silhouette::Preset
 
 /// What hands draw crosses itself; exact lines that cross are a slip.
@@ -54,6 +56,13 @@ std::vector<ParameterDescription> inflate_parameters() {
       number_parameter("resolution", defaults.strokes.step, 2, 20, "‰ of the drawing's diagonal",
                        "Spacing of points along the contours: smaller is finer.")
           .titled("Smallest detail"),
+      choice_parameter("details", {detail_names.begin(), detail_names.end()},
+                       "What the lines within a body become, such as a mouth or fur: lines on the surface, grooves cut "
+                       "into it, or ridges raised from it.")
+          .titled("Lines on the body", {"drawn on", "cut in", "raised"}),
+      number_parameter("detail-width", defaults.details.width, 2, 50, "‰ of the drawing's diagonal",
+                       "How wide grooves and ridges are; they are a third as deep.")
+          .titled("Width of cuts and ridges"),
       list_parameter(
           "attach",
           "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
@@ -75,6 +84,8 @@ Options read_inflate_options(const ParameterValues& parameters) {
   options.depth.weight_orientation = number_of(parameters, "weight-orientation");
   options.depth.weight_distance = number_of(parameters, "weight-distance");
   options.depth.minimum_gap = number_of(parameters, "min-gap");
+  options.details.shape = named<silhouette::DetailShape>(detail_names, text_of(parameters, "details"));
+  options.details.width = number_of(parameters, "detail-width");
   options.strokes.crossings = named<silhouette::Crossings>(crossings_names, text_of(parameters, "crossings"));
   AttachText attach = read_attach_text(text_of(parameters, "attach"));
   options.attach = std::move(attach.pairs);

@@ -65,6 +65,7 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
   result.attached = solid.attached;
   for (Index s = 0; s < labelled.kinds.size(); ++s) result.kinds.emplace_back(drawing.strokes[s].id, labelled.kinds[s]);
   result.used = solid.used;
+  result.carved = solid.carved;
   result.diagnostics = solid.diagnostics;
 }
 
@@ -231,6 +232,7 @@ Report to_report(const InflateResult& result) {
       .set("min_gap", result.diagnostics.minimum_gap)
       .set("depth_ratio", result.diagnostics.depth_ratio)
       .set("solver", std::move(solver));
+  if (result.carved) details.set("carved", *result.carved);
   return details;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +84,7 @@ struct InflateResult {
   std::vector<NestedStroke> nested;
   std::vector<StrokesInView> crossings_in_view;
   double used = 1;  ///< share of the drawing's strokes, by length, that the solid is made of
+  std::optional<std::size_t> carved;  ///< grooves or ridges, where they were asked for
   silhouette::SolidDiagnostics diagnostics;
 };
 
