@@ -259,6 +259,28 @@ TEST_CASE("kinds that strokes are given hold, and those that don't exist are nam
   CHECK(warning.at("subject")[0]["id"] == "odd");
 }
 
+TEST_CASE("a mouth is drawn on the solid, or cut into it where that is asked for") {
+  const ScratchFolder folder;
+  const std::string head = "<circle id=\"head\" cx=\"50\" cy=\"50\" r=\"150\"/>";
+  const std::string mouth = "<path id=\"mouth\" data-kind=\"detail\" d=\"M 0 90 L 50 110 L 100 90\"/>";
+  const std::string sketch = folder.write("face.svg", svg(head + mouth));
+  const std::vector<std::string> command{"inflate", sketch, "-o", folder / "a.obj", "--json"};
+  const Json drawn = report_of(run_cli(command));
+  CHECK(!drawn.at("details").contains("carved"));
+  for (const char* shape : {"groove", "ridge"}) {
+    std::vector<std::string> carving = command;
+    carving.insert(carving.end(), {"--details", shape, "--detail-width", "10"});
+    const Json report = report_of(run_cli(carving));
+    CHECK(report.at("details").at("carved") == 1);
+    CHECK(report.at("mesh").at("closed") == true);
+    CHECK(report.at("mesh").at("self_intersections") == 0);
+    CHECK(report.at("mesh").at("euler_characteristic") == 2);
+    const double more = report.at("mesh").at("volume").get<double>() - drawn.at("mesh").at("volume").get<double>();
+    CHECK((more > 0) == (std::string(shape) == "ridge"));
+    CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
+  }
+}
+
 TEST_CASE("sketches that can't be read are exit code 3") {
   const ScratchFolder folder;
   std::string deep = "<svg xmlns=\"http://www.w3.org/2000/svg\">";

@@ -35,6 +35,18 @@ TEST_CASE("inflating with attached objects is a function of its arguments too") 
   test::check_operation(InflateOperation(), inputs, {{"attach", pairs}});
 }
 
+TEST_CASE("inflating with grooves is a function of its arguments too") {
+  Drawing drawing = test::circle_sketch().drawing;
+  Vec2 middle = Vec2::Zero();
+  for (const StrokeSample& sample : drawing.strokes.front().samples) middle += sample.position;
+  middle /= static_cast<double>(drawing.strokes.front().samples.size());
+  const double reach = 0.3 * (drawing.strokes.front().samples.front().position - middle).norm();
+  drawing.strokes.push_back(test::stroke_of("mouth", {middle - Vec2(reach, 0), middle, middle + Vec2(reach, reach)}));
+  drawing.strokes.back().data["kind"] = "detail";
+  test::check_operation(InflateOperation(), inputs_of(drawing),
+                        {{"resolution", 10.0}, {"details", std::string("groove")}, {"detail-width", 20.0}});
+}
+
 TEST_CASE("texts that are no pairs of objects are refused, all of them") {
   const auto refused = [](const std::string& text) {
     Progress progress;
