@@ -97,9 +97,10 @@ struct LinedBall {
   Drawing drawing;
 };
 
-LinedBall lined_ball(const std::vector<std::vector<Vec2>>& lines) {
+/// @param segments of the ball, around
+LinedBall lined_ball(const std::vector<std::vector<Vec2>>& lines, Index segments = 48) {
   LinedBall ball;
-  ball.solid.mesh = test::rotated(test::triangulated(test::uv_sphere(48, 24)), 1, {1, 2, 3});
+  ball.solid.mesh = test::rotated(test::triangulated(test::uv_sphere(segments, segments / 2)), 1, {1, 2, 3});
   const std::size_t faces = ball.solid.mesh.face_count();
   ball.solid.mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>(faces, 0), {"ball"}});
   std::vector<DrawnLine> drawn;
@@ -228,7 +229,7 @@ TEST_CASE("without grooves and ridges their width changes nothing") {
 }
 
 TEST_CASE("along its middle a line on a ball is a third of its width deep") {
-  const LinedBall ball = lined_ball({{{-0.5, 0.05}, {0.5, 0.1}}});
+  const LinedBall ball = lined_ball({{{-0.5, 0.05}, {0.5, 0.1}}}, 96);
   for (const double width : {0.04, 0.1, 0.25}) {
     for (const auto& [shape, sign] : {std::pair(DetailShape::Groove, -1.0), std::pair(DetailShape::Ridge, 1.0)}) {
       INFO(width << " " << sign);
@@ -262,7 +263,7 @@ TEST_CASE("a groove takes no more than a quarter of what is solid behind it") {
 }
 
 TEST_CASE("a line where the surface turns away stays a line and is named") {
-  const Solid solid = carved(lined_ball({{{-0.3, 0}, {0.3, 0}}, arc_points({0, 0}, {0.995, 0.995}, 80, 100)}),
+  const Solid solid = carved(lined_ball({{{-0.3, 0}, {0.3, 0}}, arc_points({0, 0}, {0.995, 0.995}, 80, 100)}, 160),
                              DetailShape::Groove, 0.02);
   CHECK(solid.carved == std::size_t{1});
   REQUIRE(!solid.lines.empty());

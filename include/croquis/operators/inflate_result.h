@@ -83,7 +83,7 @@ struct InflateResult {
   std::vector<SuggestedJoint> suggested;
   std::vector<NestedStroke> nested;
   std::vector<StrokesInView> crossings_in_view;
-  double used = 1;  ///< share of the drawing's strokes, by length, that the solid is made of
+  double used = 1;                    ///< share of the drawing's strokes, by length, that the solid is made of
   std::optional<std::size_t> carved;  ///< grooves or ridges, where they were asked for
   silhouette::SolidDiagnostics diagnostics;
 };

@@ -66,7 +66,7 @@ struct Solid {
   std::vector<SolidObject> objects;
   std::vector<SolidShell> shells;
   std::vector<SolidAttachment> attached;
-  std::vector<SurfaceLine> lines;  ///< details that aren't grooves or ridges
+  std::vector<SurfaceLine> lines;     ///< details that aren't grooves or ridges
   std::optional<std::size_t> carved;  ///< how many are, where that was asked for
   double used = 1;  ///< 0.5..1, share by length of the strokes that are in it; those drawn as hidden aren't counted
   SolidDiagnostics diagnostics;
