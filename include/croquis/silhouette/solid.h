@@ -50,9 +50,9 @@ struct SurfaceLine {
 struct SolidDiagnostics {
   std::size_t skeleton_vertices = 0;
   std::size_t collision_constraints = 0;
-  double scale = 0;  ///< L: median skeleton radius, sketch units (largest part's)
-  double minimum_gap =
-      0;  ///< least distance along z between successive sheets, measured on the mesh; infinity if none overlap
+  double scale = 0;        ///< L: median skeleton radius, sketch units (largest part's)
+  double minimum_gap = 0;  ///< least distance along z between successive sheets, measured on the mesh before ridges are
+                           ///< raised; infinity if none overlap
   double silhouette_iou = 0;  ///< of the mesh's projection and the drawn region; NaN for a draft
   int solver_iterations = 0;  ///< of the depth solves, the largest
   double solver_residual = 0;
