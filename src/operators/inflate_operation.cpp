@@ -61,7 +61,7 @@ std::vector<ParameterDescription> inflate_parameters() {
                        "into it, or ridges raised from it.")
           .titled("Lines on the body", {"drawn on", "cut in", "raised"}),
       number_parameter("detail-width", defaults.details.width, 2, 50, "‰ of the drawing's diagonal",
-                       "How wide grooves and ridges are; they are a third as deep.")
+                       "How wide grooves and ridges are; they are a quarter as deep.")
           .titled("Width of cuts and ridges"),
       list_parameter(
           "attach",

@@ -34,7 +34,7 @@ std::vector<Vec2> arc_points(const Vec2& centre, const Vec2& axes, double from, 
   return points;
 }
 
-Stroke told_stroke(const std::string& id, const std::vector<Vec2>& points, const std::string& kind) {
+Stroke stroke_of_kind(const std::string& id, const std::vector<Vec2>& points, const std::string& kind) {
   Stroke stroke = test::stroke_of(id, points);
   if (!kind.empty()) stroke.data["kind"] = kind;
   return stroke;
@@ -43,7 +43,7 @@ Stroke told_stroke(const std::string& id, const std::vector<Vec2>& points, const
 Stroke outline_of(const std::string& id, const Vec2& centre, const Vec2& axes, const std::string& kind = "") {
   std::vector<Vec2> points = arc_points(centre, axes, 0, 360);
   points.pop_back();
-  Stroke stroke = told_stroke(id, points, kind);
+  Stroke stroke = stroke_of_kind(id, points, kind);
   stroke.closed = true;
   return stroke;
 }
@@ -56,16 +56,16 @@ struct NamedDrawing {
 std::vector<NamedDrawing> detailed_drawings() {
   Drawing face, ring, pair, fur;
   face.strokes = {outline_of("head", {0, 0}, {150, 150}),
-                  told_stroke("mouth", arc_points({0, 0}, {70, 70}, 200, 340), "detail"),
-                  told_stroke("nose", {{0, 30}, {5, 0}, {-10, -10}}, "detail")};
+                  stroke_of_kind("mouth", arc_points({0, 0}, {70, 70}, 200, 340), "detail"),
+                  stroke_of_kind("nose", {{0, 30}, {5, 0}, {-10, -10}}, "detail")};
   ring.strokes = {outline_of("ring", {0, 0}, {200, 200}), outline_of("hole", {0, 0}, {90, 90}, "hole"),
-                  told_stroke("groove", arc_points({0, 0}, {145, 145}, 10, 300), "detail")};
+                  stroke_of_kind("groove", arc_points({0, 0}, {145, 145}, 10, 300), "detail")};
   pair.strokes = {outline_of("body", {0, 0}, {200, 120}), outline_of("head", {-170, 80}, {90, 80}),
-                  told_stroke("fold", {{-60, -40}, {40, 10}, {120, -30}}, "detail"),
-                  told_stroke("brow", {{-210, 110}, {-170, 120}, {-130, 105}}, "detail")};
+                  stroke_of_kind("fold", {{-60, -40}, {40, 10}, {120, -30}}, "detail"),
+                  stroke_of_kind("brow", {{-210, 110}, {-170, 120}, {-130, 105}}, "detail")};
   std::vector<Vec2> curls;
   for (int i = 0; i < 120; ++i) curls.emplace_back(-60 + i + 18 * std::cos(0.55 * i), 18 * std::sin(0.55 * i));
-  fur.strokes = {outline_of("sheep", {0, 0}, {200, 130}), told_stroke("wool", curls, "scribble")};
+  fur.strokes = {outline_of("sheep", {0, 0}, {200, 130}), stroke_of_kind("wool", curls, "scribble")};
   return {{"face", face}, {"ring", ring}, {"pair", pair}, {"fur", fur}};
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("without grooves and ridges their width changes nothing") {
   CHECK(solid.lines.size() == plain.lines.size());
 }
 
-TEST_CASE("along its middle a line on a ball is a third of its width deep") {
+TEST_CASE("along its middle a line on a ball is a quarter of its width deep") {
   const LinedBall ball = lined_ball({{{-0.5, 0.05}, {0.5, 0.1}}}, 96);
   for (const double width : {0.04, 0.1, 0.25}) {
     for (const auto& [shape, sign] : {std::pair(DetailShape::Groove, -1.0), std::pair(DetailShape::Ridge, 1.0)}) {
@@ -239,7 +239,7 @@ TEST_CASE("along its middle a line on a ball is a third of its width deep") {
         const Vec2 place(x, 0.075 + 0.05 * x);
         const double before = test::vertical_hits(ball.solid.mesh, place).back();
         const double after = test::vertical_hits(solid.mesh, place).back();
-        CHECK(sign * (after - before) * before == Approx(width / 3).epsilon(0.2));  // along the normal
+        CHECK(sign * (after - before) * before == Approx(width / 4).epsilon(0.2));  // along the normal
         const Vec2 beside = place + Vec2(0, 0.75 * width);
         CHECK(test::vertical_hits(solid.mesh, beside).back() ==
               Approx(test::vertical_hits(ball.solid.mesh, beside).back()).margin(0.01 * width));

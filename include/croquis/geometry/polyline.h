@@ -74,11 +74,11 @@ inline Vec2 nearest_on_segment(const Vec2& point, const Vec2& a, const Vec2& b) 
   return a + nearest_parameter(point, a, b) * (b - a);
 }
 
-/// The point of a segment in space, which may have no length, that is nearest to a place.
-inline Vec3 foot_on_segment(const Vec3& a, const Vec3& b, const Vec3& place) {
+/// In space; the segment may have no length.
+inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double length = along.squaredNorm();
-  return length > 0 ? Vec3(a + std::clamp((place - a).dot(along) / length, 0.0, 1.0) * along) : a;
+  return length > 0 ? Vec3(a + std::clamp((point - a).dot(along) / length, 0.0, 1.0) * along) : a;
 }
 
 /// Fraction along a–b where its line meets that of c–d; not finite when they are parallel.

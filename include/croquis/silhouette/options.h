@@ -91,7 +91,7 @@ enum class DetailShape {
 
 struct DetailOptions {
   DetailShape shape = DetailShape::Line;
-  double width = 8;  ///< u, 2..50: of a groove or ridge, which is a third as deep
+  double width = 8;  ///< u, 2..50: of a groove or ridge, which is a quarter as deep
 };
 
 enum class Quality {

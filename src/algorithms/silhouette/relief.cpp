@@ -18,11 +18,12 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr double relief_depth = 1.0 / 3;   // of the width
-constexpr double relief_edge = 1.0 / 4;    // of the width: between vertices a line is nearly as deep as at them
-constexpr double relief_room = 0.25;       // of the way to the next surface
-constexpr double relief_least = 1.0 / 16;  // of the depth: what is less can't be seen
-constexpr double on_edges = 1e-9;          // slack of SurfaceColumns
+constexpr double relief_depth =
+    1.0 / 4;                             // of the width: triangles across the middle meet at less than a crease's angle
+constexpr double relief_edge = 1.0 / 4;  // of the width: between vertices a line is nearly as deep as at them
+constexpr double relief_room = 0.25;     // of the way to the next surface
+constexpr double relief_least = 1.0 / 16;                     // of the depth: what is less can't be seen
+constexpr double on_edges = 1e-9;                             // slack of SurfaceColumns
 constexpr double relief_aside = 0.15, relief_towards = 0.45;  // z of normals: the depth grows from 0 to all of it
 
 /// Lines in space, in pieces, and the surfaces on which these lie.
@@ -41,7 +42,7 @@ struct Relief {
   void near_place(const Vec3& place, double reach, Index surface, Visit visit) const {
     grid.near_place(place.head<2>(), reach, [&](const GridSegment& segment, const Vec2&) {
       const Piece& piece = pieces[segment.position];
-      const double distance = (place - foot_on_segment(piece.a, piece.b, place)).norm();
+      const double distance = (place - nearest_on_segment(place, piece.a, piece.b)).norm();
       if (piece.surface == surface && distance <= reach) visit(segment.line, distance);
     });
   }
@@ -137,7 +138,7 @@ bool move_vertices(const std::vector<double>& ways, double sign, PolyMesh& mesh,
 }
 
 Finding stays_line(const Drawing& drawing, Index stroke) {
-  const std::string why = " stays a line: the solid is too thin there, or turned too far aside";
+  const std::string why = " stays a line: the solid is too thin or too steep there; draw it farther inside";
   return make_warning(Category::Geometry, "W_LEFT_OUT", in_quotes(drawing, stroke) + why,
                       {stroke_subject(drawing, stroke)});
 }

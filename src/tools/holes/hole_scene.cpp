@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/polyline.h"
 #include "tools/pointer/segment_distance.h"
 
 namespace croquis {
@@ -49,12 +50,6 @@ std::optional<double> meets_triangle(const Ray& ray, const Vec3& a, const Vec3& 
   const double distance = to_c.dot(turned) / volume;
   if (!(u >= 0 && v >= 0 && u + v <= 1 && distance >= 0)) return std::nullopt;
   return distance;
-}
-
-/// Where on the segment from a to b, seen at those pixels, the pixel is nearest: 0 to 1.
-double share_of(const Vec2& pixel, const Vec2& a, const Vec2& b) {
-  const double length = (b - a).squaredNorm();
-  return length > 0 ? std::clamp((pixel - a).dot(b - a) / length, 0.0, 1.0) : 0;
 }
 
 /// Whether a ray from the pixel to the right crosses the polygon an odd number of times. NaN sides don't count.
@@ -183,7 +178,7 @@ Index HoleScene::rim_at(const View& view, const Vec2& pixel) const {
     Candidate nearest{reach, rims_.size(), Vec3::Zero()};
     for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
       const std::size_t next = (i + 1) % shown.pixels.size();
-      const double share = share_of(pixel, shown.pixels[i], shown.pixels[next]);
+      const double share = nearest_parameter(pixel, shown.pixels[i], shown.pixels[next]);
       const double distance = (shown.pixels[i] + share * (shown.pixels[next] - shown.pixels[i]) - pixel).norm();
       if (!(distance <= nearest.distance)) continue;  // also NaN
       nearest = {distance, r, rims_[r].points[i] + share * (rims_[r].points[next] - rims_[r].points[i])};

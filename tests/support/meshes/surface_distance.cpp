@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/geometry/polyline.h"
 #include "support/random.h"
 
 namespace croquis::test {
@@ -16,10 +17,7 @@ namespace {
 constexpr std::size_t leaf_size = 4;
 
 double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0;
-  return (p - a - t * along).squaredNorm();
+  return (p - nearest_on_segment(p, a, b)).squaredNorm();
 }
 
 double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -143,7 +143,7 @@ class UnionImprover {
 
   /// In parts of the segment's length.
   static double off_segment(const Vec3& place, const Vec3& a, const Vec3& b) {
-    return (place - foot_on_segment(a, b, place)).norm() / (b - a).norm();
+    return (place - nearest_on_segment(place, a, b)).norm() / (b - a).norm();
   }
 
   std::size_t common_neighbours(Index a, Index b) const {
@@ -204,7 +204,8 @@ class UnionImprover {
     const Index other = mesh_.beyond(t, k);
     const auto [a, b, c, d] = quad(t, other, k);
     if (!line_through(a).ends.empty() || mesh_.joins(a, d)) return;
-    Exchange exchange{mesh_.star(a), {}, a, foot_on_segment(mesh_.position(b), mesh_.position(c), mesh_.position(a))};
+    Exchange exchange{
+        mesh_.star(a), {}, a, nearest_on_segment(mesh_.position(a), mesh_.position(b), mesh_.position(c))};
     for (const Index near : exchange.removed) {
       if (near != t) exchange.added.push_back({mesh_.corners(near), mesh_.side(near)});
     }
