@@ -6,7 +6,7 @@
 namespace croquis {
 namespace {
 
-/// The first control point that isn't at the start tells it, also where handles have no length.
+/// The first control point that isn't at the start gives it, also where handles have no length.
 Vec3 starting_direction(const RationalCubic& cubic) {
   for (std::size_t i = 1; i < 4; ++i) {
     if (cubic.points[i] != cubic.points[0]) return (cubic.points[i] - cubic.points[0]).normalized();

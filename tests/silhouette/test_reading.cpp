@@ -190,7 +190,7 @@ TEST_CASE("strokes in pieces, and drawn twice, make the same figure") {
   }
 }
 
-TEST_CASE("what is told of a stroke holds") {
+TEST_CASE("the kind that a stroke is given holds") {
   for (const StrokeKind kind : {StrokeKind::Detail, StrokeKind::Tube, StrokeKind::Ignored, StrokeKind::Scribble}) {
     for (const std::string id : {"tube-leg-1", "detail-mouth", "tube-tail"}) {
       Drawing pet = PetDrawing(2).take();

@@ -78,7 +78,7 @@ struct PolyMesh {
 
 /// What makes the value itself unusable: offsets that descend, indices out of range (E_INDEX), positions that are not
 /// finite (E_NOT_FINITE), faces with fewer than 3 or repeated vertices (E_FACE_DEGENERATE), channels of a wrong length
-/// (E_COUNT). All of them, each naming its element; at most 100 per kind, the last one telling how many more.
+/// (E_COUNT). All of them, each naming its element; at most 100 per kind, the last one saying how many more.
 Findings validate(const PolyMesh& mesh);
 
 }  // namespace croquis

@@ -17,7 +17,7 @@ struct AttachSuggestion {
   /// Joined for a limb whose outline ends at the other's, Resting for a part wholly before it, and where two closed
   /// outlines cross in full view.
   Hold hold = Hold::Joined;
-  bool tube = false;  ///< one is a limb drawn as one line: it is joined unless it is told to stay apart
+  bool tube = false;  ///< one is a limb drawn as one line: it is joined unless it is set to stay apart
 };
 
 /// The pairs of which one ends within the other's outline: their overlap has two corners, or none where one lies wholly

@@ -90,7 +90,7 @@ struct LabelledFigure {
   std::vector<FigureCompletion> completions;
   std::vector<FigureObject> objects;
   std::vector<FigureOverlap> overlaps;
-  std::vector<NestedOutline> nested;  ///< closed strokes whose side no junction tells
+  std::vector<NestedOutline> nested;  ///< closed strokes whose side no junction shows
   /// #S by 2: contour by contour every segment once, by its position; the constraints of the triangulation.
   std::vector<std::array<Index, 2>> segments;
   std::vector<Index> segment_arc;     ///< #S: the arc that a segment belongs to

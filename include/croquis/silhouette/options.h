@@ -24,7 +24,7 @@ enum class Preset {
 
 /// What becomes of outlines that cross in full view.
 enum class Crossings {
-  Front,  ///< the closed stroke that was drawn later covers the other one, unless it is told to lie behind
+  Front,  ///< the closed stroke that was drawn later covers the other one, unless it is set to lie behind
   Refuse  ///< E_CROSS
 };
 

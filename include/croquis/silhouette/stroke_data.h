@@ -45,10 +45,10 @@ std::optional<StrokeKind> stroke_kind(std::string_view word);
 /// The text of a kind, as files have it.
 std::string to_string(StrokeKind kind);
 
-/// The ids that a stroke is told to lie behind, `behind_all` among them; views of its data. None when nothing is told.
+/// The ids that a stroke is set to lie behind, `behind_all` among them; views of its data. None when nothing is set.
 std::vector<std::string_view> behind_ids(const Stroke& stroke);
 
-/// Whether `later`, drawn after `earlier`, is told to lie behind it.
-bool told_behind(const Stroke& later, const Stroke& earlier);
+/// Whether `later`, drawn after `earlier`, is set to lie behind it.
+bool is_set_behind(const Stroke& later, const Stroke& earlier);
 
 }  // namespace croquis::silhouette

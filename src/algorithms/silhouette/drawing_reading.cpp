@@ -134,8 +134,8 @@ void sample(Material& material) {
 /// Fur and hatching cross themselves again and again.
 bool is_scribble(const Material& material, Index stroke) {
   constexpr int least_crossings = 6;
-  const StrokeKind told = material.sampled.strokes[stroke].told;
-  if (told == StrokeKind::Detail || told == StrokeKind::Scribble) return told == StrokeKind::Scribble;
+  const StrokeKind given = material.sampled.strokes[stroke].given_kind;
+  if (given == StrokeKind::Detail || given == StrokeKind::Scribble) return given == StrokeKind::Scribble;
   const auto with_itself = material.connections.crossings.find({stroke, stroke});
   return with_itself != material.connections.crossings.end() && with_itself->second >= least_crossings;
 }
@@ -146,8 +146,8 @@ void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
   for (const LabelledFigure& figure : labelled.figures) {
     for (const NestedOutline& nested : figure.nested) {
       const bool small = size_of_stroke(drawing, nested.stroke) < blob_share * size_of_stroke(drawing, nested.around);
-      const StrokeKind told = stroke_kind(drawing.strokes[nested.stroke]).value_or(StrokeKind::Visible);
-      const bool blob = told == StrokeKind::Blob || (small && told != StrokeKind::Part);
+      const StrokeKind given = stroke_kind(drawing.strokes[nested.stroke]).value_or(StrokeKind::Visible);
+      const bool blob = given == StrokeKind::Blob || (small && given != StrokeKind::Part);
       const StrokeKind part = blob ? StrokeKind::Blob : StrokeKind::Part;
       labelled.kinds[nested.stroke] = nested.hole ? StrokeKind::Hole : part;
     }
@@ -197,8 +197,8 @@ bool is_on_surface(const LabelledDrawing& labelled, const Vec2& place) {
 void add_dots(const Material& material, LabelledDrawing& labelled) {
   for (const Index s : material.sampled.dots) {
     const Stroke& stroke = material.drawing.strokes[s];
-    const StrokeKind told = stroke_kind(stroke).value_or(StrokeKind::Visible);
-    const bool may_be_detail = told == StrokeKind::Visible || told == StrokeKind::Detail || told == StrokeKind::Blob;
+    const StrokeKind given = stroke_kind(stroke).value_or(StrokeKind::Visible);
+    const bool may_be_detail = given == StrokeKind::Visible || given == StrokeKind::Detail || given == StrokeKind::Blob;
     if (may_be_detail && stroke.samples.size() > 1 && is_on_surface(labelled, stroke.samples.front().position)) {
       labelled.kinds[s] = StrokeKind::Detail;
     } else {
@@ -287,7 +287,7 @@ std::vector<Index> lost_details(const Material& material, const Reading& reading
   std::vector<Index> lost;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     const SampledStroke& stroke = material.sampled.strokes[s];
-    const bool is_line = stroke.told == StrokeKind::Visible && !is_scribble(material, s);
+    const bool is_line = stroke.given_kind == StrokeKind::Visible && !is_scribble(material, s);
     if (reading.kinds[s] != LineKind::Detail || !is_line) continue;
     int off = 0;
     for (int k = 0; k < places; ++k) {
@@ -313,7 +313,8 @@ bool outlines_cross(const Material& material, const LabelledDrawing& labelled) {
 Findings left_out(const Material& material, const Reading& reading) {
   Findings findings;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
-    if (reading.kinds[s] != LineKind::Ignored || material.sampled.strokes[s].told == StrokeKind::Ignored) continue;
+    if (reading.kinds[s] != LineKind::Ignored || material.sampled.strokes[s].given_kind == StrokeKind::Ignored)
+      continue;
     const Index stroke = material.sampled.strokes[s].stroke;
     std::vector<Subject> subjects{stroke_subject(material.drawing, stroke)};
     std::string sentence = in_quotes(material.drawing, stroke) + " is no line of a solid and was left out";
@@ -335,7 +336,7 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
   LabelledDrawing nothing;
   nothing.findings = material.sampled.findings;
   add_dots(material, nothing);
-  const auto is_ignored = [](const SampledStroke& stroke) { return stroke.told == StrokeKind::Ignored; };
+  const auto is_ignored = [](const SampledStroke& stroke) { return stroke.given_kind == StrokeKind::Ignored; };
   const std::vector<SampledStroke>& strokes = material.sampled.strokes;
   if (!strokes.empty() && std::ranges::all_of(strokes, is_ignored)) {
     nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
@@ -348,7 +349,7 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
     const Index stroke = material.sampled.strokes[s].stroke;
     nothing.findings.push_back(make_error(Category::Geometry, "E_KIND",
                                           in_quotes(material.drawing, stroke) + " can't be a " +
-                                              to_string(material.sampled.strokes[s].told) +
+                                              to_string(material.sampled.strokes[s].given_kind) +
                                               ": let its ends meet something, or give it another kind",
                                           {stroke_subject(material.drawing, stroke)}));
   }

@@ -35,8 +35,8 @@ struct FigureSettings {
   StageCache* cache = nullptr;
 };
 
-/// Skeleton, depths, sheets, surfaces, checks; attached objects joined. Pairs that can't be joined are told, and the
-/// figure is made again with these apart. A draft isn't checked, measured against the drawing, or joined.
+/// Skeleton, depths, sheets, surfaces, checks; attached objects joined. Pairs that can't be joined are reported, and
+/// the figure is made again with these apart. A draft isn't checked, measured against the drawing, or joined.
 /// @throws Error when the figure becomes no solid at all; Cancelled
 std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figure, const Drawing& drawing,
                                                      const FigureSettings& settings, Progress& progress);

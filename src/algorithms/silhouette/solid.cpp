@@ -37,7 +37,7 @@ constexpr double least_use = 0.5;
 /// How much of a drawing a solid is made of. Lines that are drawn as hidden aren't counted.
 struct DrawnUse {
   double share = 1;                 ///< by length
-  double meant = 1;                 ///< the same of lines that aren't told to be ignored, which nobody misses
+  double meant = 1;                 ///< the same without the lines that are set to be ignored, which nobody misses
   bool has_largest_outline = true;  ///< no stroke that is left out encloses more than any outline of the solid
   Index left_out = no_index;        ///< that stroke, else the longest one
 };

@@ -58,7 +58,7 @@ std::vector<std::string_view> behind_ids(const Stroke& stroke) {
   return ids;
 }
 
-bool told_behind(const Stroke& later, const Stroke& earlier) {
+bool is_set_behind(const Stroke& later, const Stroke& earlier) {
   const std::vector<std::string_view> ids = behind_ids(later);
   return std::any_of(ids.begin(), ids.end(), [&](std::string_view id) { return id == behind_all || id == earlier.id; });
 }

@@ -31,11 +31,11 @@ void set_entry(Data& data, const std::string& key, const std::string& value) {
     data[key] = value;
 }
 
-/// The strokes that one is told to lie behind: those of `drawing` drawn before it where that is all of them.
-std::vector<std::string> told_behind(const Drawing& drawing, const Stroke& stroke) {
+/// The strokes that one is set to lie behind: those of `drawing` drawn before it where that is all of them.
+std::vector<std::string> set_behind_of(const Drawing& drawing, const Stroke& stroke) {
   std::vector<std::string> names;
   for (const Stroke& other : drawing.strokes) {
-    if (other.id != stroke.id && silhouette::told_behind(stroke, other)) names.push_back(other.id);
+    if (other.id != stroke.id && silhouette::is_set_behind(stroke, other)) names.push_back(other.id);
   }
   return names;
 }
@@ -64,15 +64,15 @@ DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const
   DrawingEdit edit{drawing, {}, {front, behind}, {}};
   Stroke& upper = stroke_of(edit.drawing, front);
   Stroke& lower = stroke_of(edit.drawing, behind);
-  if (silhouette::told_behind(upper, lower)) {
-    std::vector<std::string> others = told_behind(drawing, upper);
+  if (silhouette::is_set_behind(upper, lower)) {
+    std::vector<std::string> others = set_behind_of(drawing, upper);
     std::erase(others, behind);
     set_behind(upper, others);
   }
   // What was drawn first lies behind by itself, unless it is open: then it may be read as a limb in front.
-  const bool needs_telling = &lower > &upper || !lower.closed;
-  if (needs_telling && !silhouette::told_behind(lower, upper)) {
-    std::vector<std::string> others = told_behind(drawing, lower);
+  const bool needs_setting = &lower > &upper || !lower.closed;
+  if (needs_setting && !silhouette::is_set_behind(lower, upper)) {
+    std::vector<std::string> others = set_behind_of(drawing, lower);
     others.push_back(front);
     set_behind(lower, others);
   }

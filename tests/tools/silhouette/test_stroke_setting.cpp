@@ -11,8 +11,8 @@
 namespace croquis {
 namespace {
 
+using silhouette::is_set_behind;
 using silhouette::StrokeKind;
-using silhouette::told_behind;
 
 /// Three circles that were drawn one after the other.
 Drawing circles() {
@@ -36,8 +36,8 @@ TEST_CASE("an inner outline is told to be a hole or a part") {
 TEST_CASE("which of two strokes lies in front is told to the one drawn later, and taken back") {
   const Drawing before = circles();
   const Drawing swapped = set_in_front(before, "c0", "c2").drawing;
-  CHECK(told_behind(stroke(swapped, "c2"), stroke(swapped, "c0")));
-  CHECK(!told_behind(stroke(swapped, "c2"), stroke(swapped, "c1")));
+  CHECK(is_set_behind(stroke(swapped, "c2"), stroke(swapped, "c0")));
+  CHECK(!is_set_behind(stroke(swapped, "c2"), stroke(swapped, "c1")));
   const Drawing back = set_in_front(swapped, "c2", "c0").drawing;
   for (const Stroke& one : back.strokes) CHECK(one.data == stroke(before, one.id).data);
   const Drawing both = set_in_front(swapped, "c1", "c2").drawing;
@@ -57,8 +57,8 @@ TEST_CASE("an open stroke, which may be a limb in front, is told to lie behind e
   Drawing drawing = circles();
   drawing.strokes[0].closed = false;
   const Drawing behind = set_in_front(drawing, "c1", "c0").drawing;
-  CHECK(told_behind(stroke(behind, "c0"), stroke(behind, "c1")));
-  CHECK(!told_behind(stroke(set_in_front(behind, "c0", "c1").drawing, "c0"), stroke(behind, "c1")));
+  CHECK(is_set_behind(stroke(behind, "c0"), stroke(behind, "c1")));
+  CHECK(!is_set_behind(stroke(set_in_front(behind, "c0", "c1").drawing, "c0"), stroke(behind, "c1")));
 }
 
 TEST_CASE("thickness is kept by the stroke, or by the group of a part with a name") {

@@ -27,7 +27,7 @@ struct PartJoining {
 };
 
 /// Joins parts that are attached to each other, the largest first and then always the largest that is attached to what
-/// is already joined. A pair that can't be joined is left out and told; its parts may still be joined to others.
+/// is already joined. A pair that can't be joined is left out and reported; its parts may still be joined to others.
 ///
 /// Exact predicates; new points are rounded to doubles. Slivers along the seams are removed after each part, which
 /// moves the seams by no more than the length given: a later part that crosses a seam of slivers would find that they

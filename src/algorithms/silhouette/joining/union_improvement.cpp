@@ -263,7 +263,7 @@ class UnionImprover {
     return true;
   }
 
-  /// Whether what is added lies near enough to the surface given; tells how near.
+  /// Whether what is added lies near enough to the surface given; returns how near.
   bool stays_near(Exchange& exchange) const {
     Triangles before;
     Triangles after;
@@ -281,7 +281,7 @@ class UnionImprover {
     return moved <= room;
   }
 
-  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as told; it ends
+  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as given; it ends
   /// where that is beyond the room.
   static double farthest(const Triangles& from, const Triangles& to, double most, double room) {
     for (const auto& [a, b, c] : from) {
@@ -293,7 +293,7 @@ class UnionImprover {
     return most;
   }
 
-  /// Ends at what is nearer than told.
+  /// Ends at what is nearer than given.
   static double distance_to(const Triangles& triangles, const Vec3& place, double near) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < triangles.size() && least > near; ++t) {

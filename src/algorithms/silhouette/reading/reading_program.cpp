@@ -29,9 +29,9 @@ constexpr double cut_share = 0.9;
 // A stroke lies on an outline that shares this much of the length of the shorter one.
 constexpr double least_shared = 0.04;
 
-/// Whether a stroke of which that is told may be taken for that.
-bool allowed(StrokeKind told, LineKind kind) {
-  switch (told) {
+/// Whether a stroke that was given a kind may be read as another one.
+bool allowed(StrokeKind given, LineKind kind) {
+  switch (given) {
     case StrokeKind::Visible:
     case StrokeKind::Hidden: return true;
     case StrokeKind::Contour: return kind == LineKind::Contour || kind == LineKind::Region;
@@ -186,7 +186,7 @@ void ReadingProgram::add_strokes(const std::vector<StrokeFeatures>& features) {
     const StrokeFeatures& own = features[s];
     const double cost_as_tube = own.closed ? IntegerProgram::unbounded : own.cost(LineKind::Tube);
     const double otherwise = std::min({own.cost(LineKind::Detail), own.cost(LineKind::Ignored), cost_as_tube});
-    const bool is_hopeless = strokes_[s].told == StrokeKind::Visible && least[s] > otherwise + hopeless;
+    const bool is_hopeless = strokes_[s].given_kind == StrokeKind::Visible && least[s] > otherwise + hopeless;
     std::array<Sides, kind_count> kinds{};
     std::vector<Term> one;
     for (std::size_t k = 0; k < kind_count; ++k) {
@@ -195,7 +195,7 @@ void ReadingProgram::add_strokes(const std::vector<StrokeFeatures>& features) {
                             : kind == LineKind::Region          ? !own.regions.empty()
                             : kind == LineKind::Tube            ? !own.closed
                                                                 : kind != LineKind::Contour || !is_hopeless;
-      const double most = possible && allowed(strokes_[s].told, kind) ? 1 : 0;
+      const double most = possible && allowed(strokes_[s].given_kind, kind) ? 1 : 0;
       const bool bounds = kind == LineKind::Contour || kind == LineKind::Region;
       kinds[k].fill(program_.add_variable(0, bounds && own.side < 0 ? 0 : most, own.cost(kind)));
       if (bounds) kinds[k][on_right] = program_.add_variable(0, own.side > 0 ? 0 : most, own.cost(kind));
@@ -371,15 +371,15 @@ bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, 
 }
 
 std::vector<Index> ReadingProgram::contradictions() const {
-  std::vector<Index> told, contradicting;
+  std::vector<Index> given, contradicting;
   for (Index s = 0; s < strokes_.size(); ++s) {
-    if (strokes_[s].told == StrokeKind::Visible) continue;
-    told.push_back(s);
+    if (strokes_[s].given_kind == StrokeKind::Visible) continue;
+    given.push_back(s);
     IntegerProgram without = program_;
     for (const LineKind kind : {LineKind::Contour, LineKind::Detail, LineKind::Ignored}) set_most(without, s, kind, 1);
     if (!without.solve(least_nodes, reading_gap, kinds_end_).values.empty()) contradicting.push_back(s);
   }
-  return contradicting.empty() ? told : contradicting;
+  return contradicting.empty() ? given : contradicting;
 }
 
 void ReadingProgram::set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const {

@@ -66,8 +66,8 @@ class ReadingProgram {
   /// No stroke has that kind.
   void forbid(LineKind kind);
 
-  /// Where no reading is left from the first: strokes each of which is told to be something that it can't be beside
-  /// what others are told to be, ascending.
+  /// Where no reading is left from the first: strokes whose given kind can't be beside the kinds given to
+  /// others, ascending.
   std::vector<Index> contradictions() const;
 
  private:

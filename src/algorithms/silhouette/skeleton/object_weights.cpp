@@ -63,16 +63,16 @@ void read_object_weights(const LabelledFigure& figure, const Drawing& drawing, D
     DepthWeights weights{settings.options.weight_curvature, settings.options.weight_orientation,
                          settings.options.weight_distance};
     double& thickness = settings.thickness[o];
-    bool told = false;
+    bool is_given = false;
     if (const auto group = drawing.object_data.find(object.name); group != drawing.object_data.end()) {
       read_number(object, group->second, "weight-curvature", weight_range, weights.curvature, findings);
       read_number(object, group->second, "weight-orientation", weight_range, weights.orientation, findings);
       read_number(object, group->second, "weight-distance", weight_range, weights.distance, findings);
-      told = read_number(object, group->second, thickness_key, thickness_range, thickness, findings);
+      is_given = read_number(object, group->second, thickness_key, thickness_range, thickness, findings);
     }
-    for (std::size_t s = 0; s < object.strokes.size() && !told; ++s) {
+    for (std::size_t s = 0; s < object.strokes.size() && !is_given; ++s) {
       const Attributes& data = drawing.strokes[object.strokes[s]].data;
-      told = read_number(object, data, thickness_key, thickness_range, thickness, findings);
+      is_given = read_number(object, data, thickness_key, thickness_range, thickness, findings);
     }
     settings.object_weights.push_back(weights);
   }

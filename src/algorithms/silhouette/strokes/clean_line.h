@@ -38,7 +38,7 @@ struct SampledStroke {
   Points points;
   Index stroke = 0;    ///< index into Drawing::strokes
   std::string object;  ///< strokes of two named objects are never joined
-  StrokeKind told = StrokeKind::Visible;
+  StrokeKind given_kind = StrokeKind::Visible;
   bool closed = false;
   double length = 0;
   double size = 0;  ///< see `size_of`

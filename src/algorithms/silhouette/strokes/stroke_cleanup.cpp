@@ -58,7 +58,7 @@ void add_wrong_behind(const Drawing& drawing, Findings& findings) {
       const std::string why = known ? "itself" : "\"" + std::string(id) + "\", which isn't in the drawing";
       findings.push_back(make_warning(
           Category::Geometry, "W_BEHIND",
-          "The stroke " + in_quotes(drawing, s) + " is told to lie behind " + why + ": write the id of another stroke",
+          "The stroke " + in_quotes(drawing, s) + " is set to lie behind " + why + ": write the id of another stroke",
           {stroke_subject(drawing, s)}));
     }
   }
@@ -132,7 +132,7 @@ void add_usable_strokes(const Drawing& drawing, double tiny, SampledDrawing& sam
   }
 }
 
-bool is_hidden(const SampledStroke& stroke) { return stroke.told == StrokeKind::Hidden; }
+bool is_hidden(const SampledStroke& stroke) { return stroke.given_kind == StrokeKind::Hidden; }
 
 /// @throws Error when nothing is left to read, or too much to sample
 void check_extent(const Drawing& drawing, const SampledDrawing& sampled) {
@@ -259,7 +259,7 @@ void cut_retraced_ends(std::vector<SampledStroke>& strokes, const DrawingScale& 
   for (const SampledStroke& stroke : strokes) kept.push_back({0, static_cast<Index>(stroke.points.size())});
   for (auto s = static_cast<Index>(strokes.size()); s-- > 0;) {
     const SampledStroke& stroke = strokes[s];
-    if (stroke.closed || !may_be_outline(stroke.told)) continue;
+    if (stroke.closed || !may_be_outline(stroke.given_kind)) continue;
     const double reach = std::min(retracing_distance * scale.unit, scale.reach_share * stroke.size);
     const double spacing = stroke.length / static_cast<double>(stroke.points.size() - 1);
     for (const bool at_start : {false, true}) {
@@ -332,7 +332,7 @@ std::vector<Index> doubled_strokes(const std::vector<SampledStroke>& strokes, co
   const SegmentGrid grid(segments_of(strokes), scale.step);
   std::vector<Index> doubled(strokes.size(), no_index);
   for (Index s = 0; s < strokes.size(); ++s) {
-    if (strokes[s].told != StrokeKind::Visible) continue;
+    if (strokes[s].given_kind != StrokeKind::Visible) continue;
     std::map<Index, std::vector<double>> beside;  // per stroke the distances from it, on its left positive
     for (const Vec2& point : strokes[s].points) {
       std::map<Index, double> nearest;

@@ -142,10 +142,10 @@ Index ring_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const
 
 Index last_stroke(const CleanLine& line) { return std::ranges::max(line.strokes); }
 
-bool told_behind_line(const Drawing& drawing, const CleanLine& line, const CleanLine& other) {
+bool is_set_behind_line(const Drawing& drawing, const CleanLine& line, const CleanLine& other) {
   return std::ranges::any_of(line.strokes, [&](Index s) {
     return std::ranges::any_of(other.strokes,
-                               [&](Index t) { return told_behind(drawing.strokes[s], drawing.strokes[t]); });
+                               [&](Index t) { return is_set_behind(drawing.strokes[s], drawing.strokes[t]); });
   });
 }
 
@@ -179,8 +179,8 @@ std::vector<Cover> covers_of(const Drawing& drawing, const std::vector<CleanLine
     if (is_later) std::swap(cover.front, cover.behind);
     if (!are_closed) continue;
     const CleanLine &later = ring(cover.front), &earlier = ring(cover.behind);
-    const bool later_is_behind = told_behind_line(drawing, later, earlier);
-    cover.chosen = later_is_behind || told_behind_line(drawing, earlier, later);
+    const bool later_is_behind = is_set_behind_line(drawing, later, earlier);
+    cover.chosen = later_is_behind || is_set_behind_line(drawing, earlier, later);
     const bool earlier_opens = opens_within(earlier, later) && !opens_within(later, earlier);
     if (later_is_behind || earlier_opens) std::swap(cover.front, cover.behind);
     cover.is_hole = rings[cover.front] != cover.front;
@@ -278,7 +278,7 @@ std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, do
 Finding warning(const Drawing& drawing, const CrossingInView& pair) {
   const std::string front = in_quotes(drawing, pair.front);
   const std::string behind = in_quotes(drawing, pair.behind);
-  const std::string why = pair.chosen ? "as it is told" : "if it lies behind, let it stop at the other one";
+  const std::string why = pair.chosen ? "as it is set" : "if it lies behind, let it stop at the other one";
   return make_warning(
       Category::Geometry, "W_CROSS",
       front + " and " + behind + " cross in full view: " + front + " is read as the one in front; " + why,

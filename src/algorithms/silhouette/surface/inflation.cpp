@@ -220,7 +220,7 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
   sheets.gap = data.gap / (1 + spare_gap);
   sheets.resting_gap = data.resting_gap / (1 + spare_gap);
 
-  // As thick as the skeleton's own depths tell.
+  // As thick as the skeleton's own depths give.
   Progress raising = progress.step("mid-surface", 0.6);
   const Eigen::VectorXd tilt = swept_limbs(skeleton, data.node_z).tilt;
   sheets.thickness = tilted_thickness(basis, settings, tilt);
@@ -228,7 +228,7 @@ InflatedSheets raise_sheets(const Skeleton& skeleton, const SheetBasis& basis, c
   MidSurface middle(basis.op, data);
   solve_middle(basis, middle, sheets, raising);
 
-  // As thick as the depths tell that came of it. Where these are the same there is nothing to solve again.
+  // As thick as the depths that came of it give. Where these are the same there is nothing to solve again.
   Progress tilting = progress.step("tilt", 0.4);
   Eigen::VectorXd heights(data.node_z.size());
   for (Index n = 0; n < basis.nodes.size(); ++n) heights[n] = value_at(basis.nodes[n], sheets.z);

@@ -111,7 +111,7 @@ Matrix inner_vertices(const SheetOperator& op) {
   return inner;
 }
 
-/// Per node of the skeleton whether it tells the thickness: not where its chord is one of a larger ball along the
+/// Per node of the skeleton whether it gives the thickness: not where its chord is one of a larger ball along the
 /// skeleton.
 std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
   const auto count = static_cast<Index>(skeleton.nodes.size());
@@ -144,7 +144,7 @@ std::vector<std::uint8_t> speaking_nodes(const Skeleton& skeleton) {
   return speaks;
 }
 
-/// Spreads the nodes that tell the thickness over the vertices around them, in their own sheet. The weights of a node
+/// Spreads the nodes that give the thickness over the vertices around them, in their own sheet. The weights of a node
 /// sum to 1; they fall off smoothly towards its reach.
 std::vector<NodeShare> node_shares(const SheetOperator& op, const std::vector<LiftedPlace>& nodes,
                                    const Skeleton& skeleton) {

@@ -12,8 +12,8 @@
 
 namespace croquis::app {
 
+using silhouette::is_set_behind;
 using silhouette::StrokeKind;
-using silhouette::told_behind;
 
 std::vector<NestedStroke> nested_outlines(const InflateResult& inflated, const Drawing& drawing) {
   std::vector<NestedStroke> outlines;
@@ -38,8 +38,8 @@ std::vector<StrokesInView> crossings_in_view(const InflateResult& inflated, cons
     const Stroke* behind = find_stroke(drawing, crossing.behind);
     if (front == nullptr || behind == nullptr || !seen.insert(std::minmax(crossing.front, crossing.behind)).second)
       continue;
-    const bool was_taken_back = crossing.chosen && !told_behind(*behind, *front);
-    if (told_behind(*front, *behind) || was_taken_back) {
+    const bool was_taken_back = crossing.chosen && !is_set_behind(*behind, *front);
+    if (is_set_behind(*front, *behind) || was_taken_back) {
       std::swap(crossing.front, crossing.behind);
       crossing.chosen = !was_taken_back;
     }
