@@ -21,7 +21,7 @@ namespace {
 constexpr double relief_depth =
     1.0 / 4;                             // of the width: triangles across the middle meet at less than a crease's angle
 constexpr double relief_edge = 1.0 / 4;  // of the width: between vertices a line is nearly as deep as at them
-constexpr double relief_room = 0.25;     // of the way to the next surface
+constexpr double relief_share = 0.25;    // of the way to the next surface
 constexpr double relief_least = 1.0 / 16;                     // of the depth: what is less can't be seen
 constexpr double on_edges = 1e-9;                             // slack of SurfaceColumns
 constexpr double relief_aside = 0.15, relief_towards = 0.45;  // z of normals: the depth grows from 0 to all of it
@@ -78,16 +78,16 @@ bool refine_near(const Relief& relief, PolyMesh& mesh) {
   });
 }
 
-/// How far a vertex may go: as deep as asked, less where it is turned aside or has less room.
+/// How far a vertex may go: as deep as asked, less where it is turned aside or the next surface is near.
 double most_at(const Vec3& place, double facing, const Relief& relief) {
   const double share = std::clamp((facing - relief_aside) / (relief_towards - relief_aside), 0.0, 1.0);
   if (share == 0) return 0;
-  double room = std::numeric_limits<double>::infinity();
+  double space = std::numeric_limits<double>::infinity();
   relief.columns.at(place.head<2>(), on_edges, [&](Index, double z, bool) {
     const double way = relief.sign * (z - place.z());
-    if (way > 1e-6 * relief.width) room = std::min(room, way);  // else it is its own face
+    if (way > 1e-6 * relief.width) space = std::min(space, way);  // else it is its own face
   });
-  return std::min(relief_depth * relief.width * share * share * (3 - 2 * share) / facing, relief_room * room);
+  return std::min(relief_depth * relief.width * share * share * (3 - 2 * share) / facing, relief_share * space);
 }
 
 /// Per vertex the way along the view. Vertices of faces that don't face the viewer make the outline and stay.

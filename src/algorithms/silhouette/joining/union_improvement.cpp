@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -42,19 +43,45 @@ struct FeatureLine {
   double slack = most_off_seam;  ///< how far the line may be moved, in parts of the edge that takes its place
 };
 
+/// In parts of the segment's length.
+double off_segment(const Vec3& place, const Vec3& a, const Vec3& b) {
+  return (place - nearest_on_segment(place, a, b)).norm() / (b - a).norm();
+}
+
+/// As long as twice the area.
+Vec3 normal_of(const std::array<Vec3, 3>& points) { return (points[1] - points[0]).cross(points[2] - points[0]); }
+
+/// Ends at what is nearer than given.
+double distance_to(const Triangles& triangles, const Vec3& place, double near) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < triangles.size() && least > near; ++t) {
+    least = std::min(least, foot_on_triangle(triangles[t], place).distance);
+  }
+  return least;
+}
+
+/// How far corners and middles of edges lie from other triangles, the most, and at least as far as given; it ends
+/// where that is more than allowed.
+double farthest(const Triangles& from, const Triangles& to, double most, double allowed) {
+  for (const auto& [a, b, c] : from) {
+    for (const Vec3& place : {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
+      if (most > allowed) return most;
+      most = std::max(most, distance_to(to, place, most));
+    }
+  }
+  return most;
+}
+
 class UnionImprover {
  public:
   UnionImprover(const Shell& joined, const std::vector<std::uint8_t>& kept)
-      : joined_(joined), mesh_(joined), kept_(kept), waits_(mesh_.size(), 0) {}
+      : joined_(joined), mesh_(joined), kept_(kept), slender_(mesh_.size(), sharp_corner, most_looks * mesh_.size()) {}
 
   ImprovedUnion run(Progress& progress) {
-    for (Index t = 0; t < mesh_.size(); ++t) wait_if_slender(t);
-    const std::size_t most = most_looks * mesh_.size();
-    for (std::size_t head = 0; head < std::min(waiting_.size(), most); ++head) {
-      if (head % triangles_per_check == 0) progress.check();
-      const Index t = waiting_[head];
-      waits_[t] = 0;
-      if (!mesh_.is_dead(t) && sharpness(mesh_.corners(t)) >= sharp_corner) mend(t);
+    for (Index t = 0; t < mesh_.size(); ++t) slender_.add(t, sharpness(mesh_.corners(t)));
+    for (std::size_t looks = 0; const std::optional<Index> t = slender_.next(); ++looks) {
+      if (looks % triangles_per_check == 0) progress.check();
+      if (!mesh_.is_dead(*t) && sharpness(mesh_.corners(*t)) >= sharp_corner) mend(*t);
     }
     ImprovedUnion improved{joined_, {}, {}};
     improved.changed = mesh_.write(improved.surface);
@@ -65,12 +92,6 @@ class UnionImprover {
  private:
   double sharpness(const Corners& c) const {
     return sharpest_cosine(mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2]));
-  }
-
-  void wait_if_slender(Index t) {
-    if (waits_[t] || sharpness(mesh_.corners(t)) < sharp_corner) return;
-    waits_[t] = 1;
-    waiting_.push_back(t);
   }
 
   void mend(Index t) {
@@ -91,7 +112,7 @@ class UnionImprover {
     if (best_.removed.empty()) return;
     for (const Index added : mesh_.apply(best_)) {
       for (const Index v : mesh_.corners(added)) {
-        for (const Index near : mesh_.star(v)) wait_if_slender(near);
+        for (const Index near : mesh_.star(v)) slender_.add(near, sharpness(mesh_.corners(near)));
       }
     }
   }
@@ -134,16 +155,11 @@ class UnionImprover {
     exchange.removed = mesh_.star(from);
     for (const Index t : exchange.removed) {
       Corners corners = mesh_.corners(t);
-      if (corners[0] == to || corners[1] == to || corners[2] == to) continue;
+      if (has_corner(corners, to)) continue;
       corners[corner_of(corners, from)] = to;
       exchange.added.push_back({corners, mesh_.side(t)});
     }
     consider(std::move(exchange));
-  }
-
-  /// In parts of the segment's length.
-  static double off_segment(const Vec3& place, const Vec3& a, const Vec3& b) {
-    return (place - nearest_on_segment(place, a, b)).norm() / (b - a).norm();
   }
 
   std::size_t common_neighbours(Index a, Index b) const {
@@ -245,18 +261,15 @@ class UnionImprover {
     });
   }
 
-  /// As long as twice the area.
-  static Vec3 normal(const std::array<Vec3, 3>& points) { return (points[1] - points[0]).cross(points[2] - points[0]); }
-
   /// Whether triangles face the way that those of the same piece did, and fronts the viewer.
   bool faces_alike(const Exchange& exchange) const {
     std::map<Index, Vec3> before;
     for (const Index t : exchange.removed) {
-      before.try_emplace(mesh_.side(t), Vec3::Zero()).first->second += normal(points_of(mesh_.corners(t)));
+      before.try_emplace(mesh_.side(t), Vec3::Zero()).first->second += normal_of(points_of(mesh_.corners(t)));
     }
     for (auto& [side, sum] : before) sum.normalize();
     for (const SidedTriangle& triangle : exchange.added) {
-      const Vec3 own = normal(points_after(exchange, triangle.corners));
+      const Vec3 own = normal_of(points_after(exchange, triangle.corners));
       if (own.dot(before.at(triangle.side)) < least_turned * own.norm()) return false;
       if ((own.z() > 0) != (triangle.side % 2 == 1)) return false;
     }
@@ -275,41 +288,19 @@ class UnionImprover {
     for (const SidedTriangle& triangle : exchange.added) after.push_back(points_after(exchange, triangle.corners));
     double longest = 0;
     for (const auto& [a, b, c] : before) longest = std::max({longest, (b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const double room = std::min(most_moved * longest, most_off_surface * longest - off);
-    const double moved = farthest(before, after, farthest(after, before, 0, room), room);
+    const double allowed = std::min(most_moved * longest, most_off_surface * longest - off);
+    const double moved = farthest(before, after, farthest(after, before, 0, allowed), allowed);
     for (SidedTriangle& triangle : exchange.added) triangle.off = off + moved;
-    return moved <= room;
-  }
-
-  /// How far corners and middles of edges lie from other triangles, the most, and at least as far as given; it ends
-  /// where that is beyond the room.
-  static double farthest(const Triangles& from, const Triangles& to, double most, double room) {
-    for (const auto& [a, b, c] : from) {
-      for (const Vec3& place : {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
-        if (most > room) return most;
-        most = std::max(most, distance_to(to, place, most));
-      }
-    }
-    return most;
-  }
-
-  /// Ends at what is nearer than given.
-  static double distance_to(const Triangles& triangles, const Vec3& place, double near) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < triangles.size() && least > near; ++t) {
-      least = std::min(least, foot_on_triangle(triangles[t], place).distance);
-    }
-    return least;
+    return moved <= allowed;
   }
 
   const Shell& joined_;
   UnionTriangles mesh_;
   const std::vector<std::uint8_t>& kept_;
-  std::vector<Index> waiting_;       ///< slender triangles, in the order in which they became so
-  std::vector<std::uint8_t> waits_;  ///< per triangle
-  Exchange best_;                    ///< what mends the triangle under consideration best
-  double best_sharpness_ = 1;        ///< what the sharpest triangle there has then
-  double best_gain_ = 0;             ///< by how much the sharpest triangle there is sharper before
+  SlenderTriangles slender_;
+  Exchange best_;              ///< what mends the triangle under consideration best
+  double best_sharpness_ = 1;  ///< what the sharpest triangle there has then
+  double best_gain_ = 0;       ///< by how much the sharpest triangle there is sharper before
 };
 
 }  // namespace

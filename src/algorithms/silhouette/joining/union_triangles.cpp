@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "algorithms/silhouette/surface/triangle_shape.h"
+
 namespace croquis::silhouette {
 UnionTriangles::UnionTriangles(const Shell& joined)
     : positions_(joined.mesh.positions), changed_(joined.mesh.face_count(), 0), stars_(joined.mesh.vertex_count()) {
@@ -25,8 +27,7 @@ std::vector<Spoke> UnionTriangles::spokes(Index v) const {
 }
 
 bool UnionTriangles::joins(Index a, Index b) const {
-  return std::any_of(stars_[a].begin(), stars_[a].end(),
-                     [&](Index t) { return corners(t)[0] == b || corners(t)[1] == b || corners(t)[2] == b; });
+  return std::any_of(stars_[a].begin(), stars_[a].end(), [&](Index t) { return has_corner(corners(t), b); });
 }
 
 Index UnionTriangles::beyond(Index t, std::size_t corner) const {

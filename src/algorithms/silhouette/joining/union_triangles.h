@@ -74,8 +74,4 @@ class UnionTriangles {
   std::vector<std::vector<Index>> stars_;
 };
 
-inline std::size_t corner_of(const std::array<Index, 3>& corners, Index v) {
-  return corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
-}
-
 }  // namespace croquis::silhouette

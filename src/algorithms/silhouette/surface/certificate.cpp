@@ -78,9 +78,9 @@ bool mesh_in_order(const SheetMesh& mesh, Rounding rounding, double unit) {
       aside = std::max(aside, (places[v] - mesh.place[v]).norm());
       along = std::max({along, std::abs(moved(front(v)) - front(v)), std::abs(moved(back(v)) - back(v))});
     }
-    if (!std::isfinite(mesh.room[t].least())) continue;
+    if (!std::isfinite(mesh.clearance[t].least())) continue;
     const double slope = std::max(slope_of(mesh, t, front), slope_of(mesh, t, back));
-    if (mesh.room[t].least() < 0 || along + slope_spread * slope * aside >= mesh.gap / 2) return false;
+    if (mesh.clearance[t].least() < 0 || along + slope_spread * slope * aside >= mesh.gap / 2) return false;
   }
   return true;
 }

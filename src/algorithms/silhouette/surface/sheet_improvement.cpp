@@ -30,6 +30,93 @@ constexpr double straight = 1e-6;        // of a rim edge: what is nearer to a l
 constexpr double least_rim_bend = 0.98;  // cosine: edges to the rim are bent inwards no further
 constexpr double least_alike = 0.93;     // cosine: no triangle turns further from what was there
 
+/// Of the front and the back of a sheet.
+constexpr std::array both_sides{true, false};
+
+/// The sheets in space, with what is needed to find and change the triangles around a vertex.
+struct SheetTriangles {
+  SheetMesh& mesh;
+  std::vector<Index> at;                   ///< per vertex one of its triangles
+  std::vector<double> sharpness;           ///< per triangle: cosine of its smallest angle, on the front and on the back
+  std::array<std::vector<Vec3>, 2> place;  ///< per vertex, of the back (0) and the front (1)
+
+  explicit SheetTriangles(SheetMesh& sheets) : mesh(sheets), at(sheets.place.size(), no_index) {
+    for (Index t = 0; t < mesh.triangles.size(); ++t) {
+      for (const Index v : mesh.triangles[t]) at[v] = t;
+    }
+    sharpness.resize(mesh.triangles.size());
+    for (Index v = 0; v < mesh.place.size(); ++v) {
+      place[0].emplace_back(mesh.place[v].x(), mesh.place[v].y(), mesh.back(v));
+      place[1].emplace_back(mesh.place[v].x(), mesh.place[v].y(), mesh.front(v));
+    }
+  }
+
+  bool is_dead(Index t) const { return mesh.triangles[t][0] == no_index; }
+  const Vec3& on(bool in_front, Index v) const { return place[in_front ? 1 : 0][v]; }
+  double height(bool in_front, Index v) const { return on(in_front, v).z(); }
+
+  /// Whether an edge may join the two: front and back would share one between rim vertices.
+  bool joinable(Index a, Index b) const { return !mesh.on_boundary[a] || !mesh.on_boundary[b]; }
+
+  /// As long as twice the area.
+  Vec3 normal(const Corners& t, bool in_front) const {
+    const Vec3& origin = on(in_front, t[0]);
+    return (on(in_front, t[1]) - origin).cross(on(in_front, t[2]) - origin);
+  }
+
+  double longest_edge(const Corners& t, bool in_front) const {
+    const Vec3 &a = on(in_front, t[0]), &b = on(in_front, t[1]), &c = on(in_front, t[2]);
+    return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  }
+
+  /// Cosine of the slope.
+  double levelness(const Corners& t, bool in_front) const {
+    const Vec3 across = normal(t, in_front);
+    return std::abs(across.z()) / across.norm();
+  }
+
+  double sharpness_of(const Corners& t) const {
+    const auto on_side = [&](bool in_front) {
+      return sharpest_cosine(on(in_front, t[0]), on(in_front, t[1]), on(in_front, t[2]));
+    };
+    return std::max(on_side(true), on_side(false));
+  }
+
+  double twice_area(const Corners& t) const {
+    return cross(mesh.place[t[1]] - mesh.place[t[0]], mesh.place[t[2]] - mesh.place[t[0]]);
+  }
+
+  bool keeps_sense(const Corners& t) const {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, (mesh.place[t[k]] - mesh.place[t[(k + 1) % 3]]).squaredNorm());
+    }
+    return twice_area(t) > least_flatness * longest;
+  }
+
+  std::size_t side_towards(Index t, Index other) const { return corner_of(mesh.neighbours[t], other); }
+
+  void replace_neighbour(Index t, Index from, Index to) {
+    if (t != no_index) mesh.neighbours[t][side_towards(t, from)] = to;
+  }
+
+  Index turned(Index t, Index v, std::size_t to) const {
+    return mesh.neighbours[t][(corner_of(mesh.triangles[t], v) + to) % 3];
+  }
+
+  /// Finds the triangles around a vertex, counter-clockwise; on the rim from one of its edges to the other.
+  void collect_star(Index v, std::vector<Index>& star) const {
+    star.clear();
+    Index first = at[v];
+    while (mesh.on_boundary[v] && turned(first, v, 2) != no_index) first = turned(first, v, 2);
+    for (Index t = first;;) {
+      star.push_back(t);
+      t = turned(t, v, 1);
+      if (t == no_index || t == first) return;
+    }
+  }
+};
+
 /// How far a change moves the front and the back of a sheet, at most.
 struct Moved {
   double front = 0;
@@ -40,428 +127,317 @@ struct Moved {
     most = std::max(most, distance);
   }
 
-  bool fits(const SheetRoom& room) const { return front <= room.front && back <= room.back; }
+  bool fits(const SheetClearance& clearance) const { return front <= clearance.front && back <= clearance.back; }
 
-  SheetRoom left_of(const SheetRoom& room) const { return {room.front - front, room.back - back}; }
+  SheetClearance left_of(const SheetClearance& clearance) const {
+    return {clearance.front - front, clearance.back - back};
+  }
 };
 
-class SheetImprover {
- public:
-  explicit SheetImprover(SheetMesh& mesh)
-      : mesh_(mesh),
-        at_(mesh.place.size(), no_index),
-        sharpness_(mesh.triangles.size(), 0.0),
-        waits_(mesh.triangles.size(), 0) {
-    for (Index t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const Index v : mesh_.triangles[t]) at_[v] = t;
-    }
-    front_.reserve(mesh.place.size());
-    back_.reserve(mesh.place.size());
-    for (std::size_t v = 0; v < mesh.place.size(); ++v) {
-      const Vec2& place = mesh.place[v];
-      front_.emplace_back(place.x(), place.y(), mesh.z[v] + mesh.thickness[v]);
-      back_.emplace_back(place.x(), place.y(), mesh.z[v] - mesh.thickness[v]);
+/// What would mend a triangle.
+struct Change {
+  double gain = least_gain;   ///< by how much the sharpest triangle there is sharper before
+  Index triangle = no_index;  ///< of a flip: its edge is opposite to the corner
+  std::size_t corner = 0;
+  Index from = no_index;  ///< of a collapse: the vertex that goes
+  Index to = no_index;    ///< and the one that it goes to
+  Moved moved{};          ///< along z
+};
+
+/// Whether triangles face the way that those before did, on both sides.
+template <typename Before, typename After>
+bool face_alike(const SheetTriangles& sheets, const Before& before, const After& after) {
+  for (const bool in_front : both_sides) {
+    Vec3 sum = Vec3::Zero();
+    for (const Corners& t : before) sum += sheets.normal(t, in_front);
+    sum.normalize();
+    for (const Corners& t : after) {
+      const Vec3 own = sheets.normal(t, in_front);
+      if (own.dot(sum) < least_alike * own.norm()) return false;
     }
   }
+  return true;
+}
 
-  void run(Progress& progress) {
-    for (Index t = 0; t < mesh_.triangles.size(); ++t) rate(t);
-    const std::size_t most = max_rounds * mesh_.triangles.size();
-    for (std::size_t head = 0; head < std::min(waiting_.size(), most); ++head) {
-      if (head % changes_per_check == 0) progress.check();
-      const Index t = waiting_[head];
-      waits_[t] = 0;
-      if (!is_dead(t) && sharpness_[t] >= slender) mend(t);
-    }
-    remove_dead();
+/// Whether the surface is bent inwards along the edge from the first's corner 0 to its corner 2.
+bool is_notch(const SheetTriangles& sheets, const Corners& first, const Corners& second) {
+  for (const bool in_front : both_sides) {
+    const Vec3 own = sheets.normal(first, in_front), other = sheets.normal(second, in_front);
+    const Vec3 across = sheets.on(in_front, second[2]) - sheets.on(in_front, first[0]);
+    const bool inwards = (own.dot(across) > 0) == in_front;
+    if (inwards && own.dot(other) < least_rim_bend * own.norm() * other.norm()) return true;
   }
+  return false;
+}
 
- private:
-  enum class Kind { None, Flip, Collapse };
+void consider_flip(const SheetTriangles& sheets, Index t, std::size_t k, Change& best) {
+  const SheetMesh& mesh = sheets.mesh;
+  const Index o = mesh.neighbours[t][k];
+  if (o == no_index) return;
+  const Corners &own = mesh.triangles[t], &other = mesh.triangles[o];
+  const Index a = own[k], b = own[(k + 1) % 3], c = own[(k + 2) % 3], d = other[sheets.side_towards(o, t)];
+  if (!sheets.joinable(a, d)) return;
+  const Corners first{a, b, d}, second{a, d, c};
+  if (!sheets.keeps_sense(first) || !sheets.keeps_sense(second)) return;
+  const double before = std::max(sheets.sharpness[t], sheets.sharpness[o]);
+  const double after = sheets.sharpness_of(first);
+  if (before - after <= best.gain) return;
+  const double gain = before - std::max(after, sheets.sharpness_of(second));
+  if (gain <= best.gain) return;
+  // Where the diagonals cross.
+  const Vec2 along = mesh.place[d] - mesh.place[a];
+  const Vec2 across = mesh.place[c] - mesh.place[b];
+  const Vec2 offset = mesh.place[b] - mesh.place[a];
+  const double s = cross(offset, across) / cross(along, across);
+  const double r = cross(offset, along) / cross(along, across);
+  Moved moved;
+  for (const bool in_front : both_sides) {
+    const auto z = [&](Index v) { return sheets.height(in_front, v); };
+    const double off = std::abs((1 - s) * z(a) + s * z(d) - (1 - r) * z(b) - r * z(c));
+    const double edge = (sheets.on(in_front, b) - sheets.on(in_front, c)).norm();
+    if (off * sheets.levelness(own, in_front) > most_deviation * edge) return;
+    moved.add(off, in_front);
+  }
+  if (!moved.fits(common_clearance(mesh.clearance[t], mesh.clearance[o]))) return;
+  if (!face_alike(sheets, std::array{own, other}, std::array{first, second})) return;
+  if ((mesh.on_boundary[a] || mesh.on_boundary[d]) && is_notch(sheets, first, second)) return;
+  best = {gain, t, k, no_index, no_index, moved};
+}
 
-  /// What would mend a triangle.
-  struct Change {
-    double gain = least_gain;  ///< by how much the sharpest triangle there is sharper before
-    Kind kind = Kind::None;
-    Index triangle = 0;  ///< of a flip: its edge is opposite to the corner
-    std::size_t corner = 0;
-    Index from = no_index;  ///< of a collapse: the vertex that goes
-    Index to = no_index;    ///< and the one that it goes to
-    Moved moved{};          ///< along z
+/// Two triangles that share an edge share the other diagonal then.
+void flip(const Change& change, SheetTriangles& sheets) {
+  SheetMesh& mesh = sheets.mesh;
+  const Index t = change.triangle;
+  const std::size_t k = change.corner;
+  const Index o = mesh.neighbours[t][k];
+  const Corners own = mesh.triangles[t], other = mesh.triangles[o];
+  const Corners near_own = mesh.neighbours[t], near_other = mesh.neighbours[o];
+  const Index a = own[k], b = own[(k + 1) % 3], c = own[(k + 2) % 3], d = other[sheets.side_towards(o, t)];
+  // Across from b and c in the first, from c and b in the second one.
+  const Index ca = near_own[(k + 1) % 3], ab = near_own[(k + 2) % 3];
+  const Index bd = near_other[corner_of(other, c)], dc = near_other[corner_of(other, b)];
+  mesh.triangles[t] = {a, b, d};
+  mesh.neighbours[t] = {bd, o, ab};
+  mesh.triangles[o] = {a, d, c};
+  mesh.neighbours[o] = {dc, ca, t};
+  sheets.replace_neighbour(bd, o, t);
+  sheets.replace_neighbour(ca, t, o);
+  sheets.at[a] = sheets.at[b] = sheets.at[d] = t;
+  sheets.at[c] = o;
+  mesh.clearance[t] = mesh.clearance[o] = change.moved.left_of(common_clearance(mesh.clearance[t], mesh.clearance[o]));
+}
+
+/// Whether a rim vertex lies on the line between its neighbours on the rim, and the edge leads to one of them.
+/// @param star of `from`
+bool is_straight_rim(const SheetMesh& mesh, const std::vector<Index>& star, Index from, Index to) {
+  const Corners &first = mesh.triangles[star.front()], &last = mesh.triangles[star.back()];
+  const Index next = first[(corner_of(first, from) + 1) % 3];
+  const Index previous = last[(corner_of(last, from) + 2) % 3];
+  if (to != next && to != previous) return false;
+  const Vec2 along = mesh.place[next] - mesh.place[previous];
+  return std::abs(cross(along, mesh.place[from] - mesh.place[previous])) < straight * along.squaredNorm();
+}
+
+/// Adds the distances along z where edges from the vertex that goes cross those from the one that stays.
+void add_moved_on_spokes(const SheetTriangles& sheets, const std::vector<Index>& star, Index from, Index to,
+                         Moved& moved) {
+  const SheetMesh& mesh = sheets.mesh;
+  const auto spoke_of = [&](Index t) {
+    const Corners& own = mesh.triangles[t];
+    return own[(corner_of(own, from) + 1) % 3];
   };
-
-  bool is_dead(Index t) const { return mesh_.triangles[t][0] == no_index; }
-
-  const Vec3& front(Index v) const { return front_[v]; }
-  const Vec3& back(Index v) const { return back_[v]; }
-  const Vec3& at(Index v, bool in_front) const { return in_front ? front_[v] : back_[v]; }
-
-  /// Cosine of the smallest angle, on the front and on the back.
-  double sharpness(const Corners& t) const {
-    return std::max(sharpest_cosine(front(t[0]), front(t[1]), front(t[2])),
-                    sharpest_cosine(back(t[0]), back(t[1]), back(t[2])));
-  }
-
-  /// After every change of a triangle.
-  void rate(Index t) {
-    sharpness_[t] = sharpness(mesh_.triangles[t]);
-    wake(t);
-  }
-
-  void wake(Index t) {
-    if (sharpness_[t] < slender || waits_[t] != 0) return;
-    waits_[t] = 1;
-    waiting_.push_back(t);
-  }
-
-  /// What couldn't be mended before may be so now.
-  void wake_around(Index t) {
-    for (const Index v : mesh_.triangles[t]) {
-      collect_star(v);
-      for (const Index near : star_) wake(near);
+  for (const Index t : star) {
+    const Index spoke = spoke_of(t);
+    if (spoke == to) continue;
+    for (const Index other : star) {
+      const Index far = spoke_of(other);
+      if (far == to || far == spoke) continue;
+      const Vec2 along = mesh.place[far] - mesh.place[to];
+      const Vec2 across = mesh.place[spoke] - mesh.place[from];
+      const Vec2 offset = mesh.place[from] - mesh.place[to];
+      const double turn = cross(along, across);
+      if (turn == 0) continue;
+      const double s = cross(offset, across) / turn;
+      const double r = cross(offset, along) / turn;
+      if (s < 0 || s > 1 || r < 0 || r > 1) continue;
+      for (const bool in_front : both_sides) {
+        const auto z = [&](Index v) { return sheets.height(in_front, v); };
+        moved.add(std::abs((1 - s) * z(to) + s * z(far) - (1 - r) * z(from) - r * z(spoke)), in_front);
+      }
     }
   }
+}
 
-  double twice_area(const Corners& t) const {
-    return cross(mesh_.place[t[1]] - mesh_.place[t[0]], mesh_.place[t[2]] - mesh_.place[t[0]]);
-  }
-
-  bool keeps_sense(const Corners& t) const {
-    double longest = 0;
+/// How far the surface moves up or down; none if that is too far along its normal.
+/// @param after the triangles of the star that are left, with the vertex that stays
+std::optional<Moved> moved_by_collapse(const SheetTriangles& sheets, const std::vector<Corners>& after, Index from) {
+  const SheetMesh& mesh = sheets.mesh;
+  Moved moved;
+  for (const Corners& corners : after) {
+    const double area = sheets.twice_area(corners);
+    std::array<double, 3> w{};
     for (std::size_t k = 0; k < 3; ++k) {
-      longest = std::max(longest, (mesh_.place[t[k]] - mesh_.place[t[(k + 1) % 3]]).squaredNorm());
+      const Vec2& p = mesh.place[corners[(k + 1) % 3]];
+      const Vec2& q = mesh.place[corners[(k + 2) % 3]];
+      w[k] = cross(p - mesh.place[from], q - mesh.place[from]) / area;
     }
-    return twice_area(t) > least_flatness * longest;
+    if (std::min({w[0], w[1], w[2]}) < -1e-9) continue;
+    for (const bool in_front : both_sides) {
+      double height = 0;
+      for (std::size_t k = 0; k < 3; ++k) height += w[k] * sheets.height(in_front, corners[k]);
+      const double off = std::abs(height - sheets.height(in_front, from));
+      moved.add(off, in_front);
+      if (off * sheets.levelness(corners, in_front) > most_deviation * sheets.longest_edge(corners, in_front)) {
+        return std::nullopt;
+      }
+    }
   }
+  return moved;
+}
 
-  /// Whether an edge may join the two: front and back would share one between rim vertices.
-  bool joinable(Index a, Index b) const { return !mesh_.on_boundary[a] || !mesh_.on_boundary[b]; }
+/// Whether an edge to the rim would be bent inwards after a collapse.
+bool makes_notch(const SheetTriangles& sheets, const std::vector<Index>& star, Index from, Index to) {
+  const SheetMesh& mesh = sheets.mesh;
+  const auto after = [&](Index t) {
+    const Corners& corners = mesh.triangles[t];
+    const std::size_t k = corner_of(corners, from);
+    return Corners{to, corners[(k + 1) % 3], corners[(k + 2) % 3]};
+  };
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    if (mesh.on_boundary[from] && i + 1 == star.size()) break;
+    const Corners first = after(star[i]), second = after(star[(i + 1) % star.size()]);
+    if (first[1] == to || first[2] == to || second[2] == to) continue;
+    if ((mesh.on_boundary[to] || mesh.on_boundary[first[2]]) && is_notch(sheets, first, second)) return true;
+  }
+  return false;
+}
 
-  static std::size_t corner_of(const Corners& t, Index v) { return t[0] == v ? 0 : t[1] == v ? 1 : 2; }
+/// @param star of `from`
+void consider_collapse(const SheetTriangles& sheets, const std::vector<Index>& star, Index from, Index to,
+                       Change& best) {
+  const SheetMesh& mesh = sheets.mesh;
+  const bool on_rim = mesh.on_boundary[from] != 0;
+  if (on_rim && !mesh.on_boundary[to]) return;
+  if (on_rim && !is_straight_rim(mesh, star, from, to)) return;
+  double sharp_before = -1, sharp_after = -1;
+  SheetClearance clearance;
+  for (const Index t : star) sharp_before = std::max(sharp_before, sheets.sharpness[t]);
+  std::vector<Corners> before, after;
+  for (const Index t : star) {
+    Corners corners = before.emplace_back(mesh.triangles[t]);
+    clearance = common_clearance(clearance, mesh.clearance[t]);
+    if (has_corner(corners, to)) continue;
+    const std::size_t k = corner_of(corners, from);
+    if (!on_rim && (!sheets.joinable(to, corners[(k + 1) % 3]) || !sheets.joinable(to, corners[(k + 2) % 3]))) return;
+    corners[k] = to;
+    if (!sheets.keeps_sense(corners)) return;
+    sharp_after = std::max(sharp_after, sheets.sharpness_of(corners));
+    if (sharp_before - sharp_after <= best.gain) return;
+    after.push_back(corners);
+  }
+  if (before.size() - after.size() != (on_rim ? 1 : 2) || star.size() < (on_rim ? 2 : 4)) return;
+  if (sharp_before - sharp_after <= best.gain) return;
+  std::optional<Moved> moved = moved_by_collapse(sheets, after, from);
+  if (!moved) return;
+  if (std::isfinite(clearance.least())) add_moved_on_spokes(sheets, star, from, to, *moved);
+  if (!moved->fits(clearance) || !face_alike(sheets, before, after)) return;
+  if (makes_notch(sheets, star, from, to)) return;
+  best = {sharp_before - sharp_after, no_index, 0, from, to, *moved};
+}
 
-  std::size_t side_towards(Index t, Index other) const { return corner_of(mesh_.neighbours[t], other); }
+/// @param star of the vertex that goes
+void collapse(const Change& change, const std::vector<Index>& star, SheetTriangles& sheets) {
+  SheetMesh& mesh = sheets.mesh;
+  SheetClearance clearance;
+  for (const Index t : star) clearance = common_clearance(clearance, mesh.clearance[t]);
+  for (const Index t : star) {
+    Corners& corners = mesh.triangles[t];
+    const std::size_t k = corner_of(corners, change.from);
+    if (!has_corner(corners, change.to)) {
+      corners[k] = change.to;
+      mesh.clearance[t] = change.moved.left_of(clearance);
+      continue;
+    }
+    // The two triangles beside it become neighbours.
+    const Index outer = mesh.neighbours[t][k];
+    const Index inner = mesh.neighbours[t][corner_of(corners, change.to)];
+    sheets.replace_neighbour(outer, t, inner);
+    sheets.replace_neighbour(inner, t, outer);
+    corners.fill(no_index);
+  }
+  for (const Index t : star) {
+    if (sheets.is_dead(t)) continue;
+    for (const Index v : mesh.triangles[t]) sheets.at[v] = t;
+  }
+}
 
-  void mend(Index t) {
-    Change best;
-    for (std::size_t k = 0; k < 3; ++k) consider_flip(t, k, best);
-    const Corners corners = mesh_.triangles[t];
+void remove_dead(const SheetTriangles& sheets) {
+  SheetMesh& mesh = sheets.mesh;
+  std::vector<Index> number(mesh.triangles.size(), no_index);
+  Index count = 0;
+  for (Index t = 0; t < number.size(); ++t) {
+    if (!sheets.is_dead(t)) number[t] = count++;
+  }
+  for (Index t = 0; t < number.size(); ++t) {
+    if (number[t] == no_index) continue;
+    mesh.triangles[number[t]] = mesh.triangles[t];
+    mesh.objects[number[t]] = mesh.objects[t];
+    mesh.clearance[number[t]] = mesh.clearance[t];
     for (std::size_t k = 0; k < 3; ++k) {
-      collect_star(corners[k]);
-      consider_collapse(corners[k], corners[(k + 1) % 3], best);
-      consider_collapse(corners[k], corners[(k + 2) % 3], best);
-    }
-    if (best.kind == Kind::Flip) flip(best);
-    if (best.kind == Kind::Collapse) collapse(best);
-  }
-
-  void consider_flip(Index t, std::size_t k, Change& best) const {
-    const Index o = mesh_.neighbours[t][k];
-    if (o == no_index) return;
-    const Corners& own = mesh_.triangles[t];
-    const Index a = own[k], b = own[(k + 1) % 3], c = own[(k + 2) % 3];
-    const Index d = mesh_.triangles[o][side_towards(o, t)];
-    if (!joinable(a, d)) return;
-    const Corners first{a, b, d}, second{a, d, c};
-    if (!keeps_sense(first) || !keeps_sense(second)) return;
-    const double before = std::max(sharpness_[t], sharpness_[o]);
-    const double after = sharpness(first);
-    if (before - after <= best.gain) return;
-    const double gain = before - std::max(after, sharpness(second));
-    if (gain <= best.gain) return;
-    // Where the diagonals cross.
-    const Vec2 along = mesh_.place[d] - mesh_.place[a];
-    const Vec2 across = mesh_.place[c] - mesh_.place[b];
-    const Vec2 offset = mesh_.place[b] - mesh_.place[a];
-    const double s = cross(offset, across) / cross(along, across);
-    const double r = cross(offset, along) / cross(along, across);
-    const double up = std::abs((1 - s) * front(a).z() + s * front(d).z() - (1 - r) * front(b).z() - r * front(c).z());
-    const double down = std::abs((1 - s) * back(a).z() + s * back(d).z() - (1 - r) * back(b).z() - r * back(c).z());
-    const Moved moved{up, down};
-    if (!moved.fits(common_room(mesh_.room[t], mesh_.room[o]))) return;
-    if (up * levelness(own, true) > most_deviation * (front(b) - front(c)).norm()) return;
-    if (down * levelness(own, false) > most_deviation * (back(b) - back(c)).norm()) return;
-    if (!face_alike(std::array{own, mesh_.triangles[o]}, std::array{first, second})) return;
-    if ((mesh_.on_boundary[a] || mesh_.on_boundary[d]) && is_notch(first, second)) return;
-    best = {gain, Kind::Flip, t, k, no_index, no_index, moved};
-  }
-
-  /// As long as twice the area.
-  Vec3 normal(const Corners& t, bool in_front) const {
-    const Vec3& origin = at(t[0], in_front);
-    return (at(t[1], in_front) - origin).cross(at(t[2], in_front) - origin);
-  }
-
-  double longest_edge(const Corners& t, bool in_front) const {
-    const Vec3 &a = at(t[0], in_front), &b = at(t[1], in_front), &c = at(t[2], in_front);
-    return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-  }
-
-  /// Cosine of the slope.
-  double levelness(const Corners& t, bool in_front) const {
-    const Vec3 across = normal(t, in_front);
-    return std::abs(across.z()) / across.norm();
-  }
-
-  /// Whether triangles face the way that those before did, on both sides.
-  template <typename Before, typename After>
-  bool face_alike(const Before& before, const After& after) const {
-    for (const bool in_front : {true, false}) {
-      Vec3 sum = Vec3::Zero();
-      for (const Corners& t : before) sum += normal(t, in_front);
-      sum.normalize();
-      for (const Corners& t : after) {
-        const Vec3 own = normal(t, in_front);
-        if (own.dot(sum) < least_alike * own.norm()) return false;
-      }
-    }
-    return true;
-  }
-
-  void flip(const Change& change) {
-    const Index t = change.triangle;
-    const std::size_t k = change.corner;
-    const Index o = mesh_.neighbours[t][k];
-    const std::size_t j = side_towards(o, t);
-    const Corners own = mesh_.triangles[t], other = mesh_.triangles[o];
-    const Corners near_own = mesh_.neighbours[t], near_other = mesh_.neighbours[o];
-    const Index a = own[k], b = own[(k + 1) % 3], c = own[(k + 2) % 3], d = other[j];
-    // Across from b and c in the first, from c and b in the second one.
-    const Index ca = near_own[(k + 1) % 3], ab = near_own[(k + 2) % 3];
-    const Index bd = near_other[corner_of(other, c)], dc = near_other[corner_of(other, b)];
-    mesh_.triangles[t] = {a, b, d};
-    mesh_.neighbours[t] = {bd, o, ab};
-    mesh_.triangles[o] = {a, d, c};
-    mesh_.neighbours[o] = {dc, ca, t};
-    replace_neighbour(bd, o, t);
-    replace_neighbour(ca, t, o);
-    at_[a] = at_[b] = at_[d] = t;
-    at_[c] = o;
-    mesh_.room[t] = mesh_.room[o] = change.moved.left_of(common_room(mesh_.room[t], mesh_.room[o]));
-    rate(t);
-    rate(o);
-    wake_around(t);
-  }
-
-  void replace_neighbour(Index t, Index from, Index to) {
-    if (t != no_index) mesh_.neighbours[t][side_towards(t, from)] = to;
-  }
-
-  Index turned(Index t, Index v, std::size_t to) const {
-    return mesh_.neighbours[t][(corner_of(mesh_.triangles[t], v) + to) % 3];
-  }
-
-  /// The triangles around a vertex, counter-clockwise; on the rim from one of its edges to the other.
-  void collect_star(Index v) {
-    star_.clear();
-    Index first = at_[v];
-    while (mesh_.on_boundary[v] && turned(first, v, 2) != no_index) first = turned(first, v, 2);
-    for (Index t = first;;) {
-      star_.push_back(t);
-      t = turned(t, v, 1);
-      if (t == no_index || t == first) return;
+      const Index other = mesh.neighbours[t][k];
+      mesh.neighbours[number[t]][k] = other == no_index ? no_index : number[other];
     }
   }
-
-  /// Whether a rim vertex lies on the line between its neighbours on the rim, and the edge leads to one of them.
-  /// @pre collect_star(from)
-  bool is_straight_rim(Index from, Index to) const {
-    const Corners& first = mesh_.triangles[star_.front()];
-    const Corners& last = mesh_.triangles[star_.back()];
-    const Index next = first[(corner_of(first, from) + 1) % 3];
-    const Index previous = last[(corner_of(last, from) + 2) % 3];
-    if (to != next && to != previous) return false;
-    const Vec2 along = mesh_.place[next] - mesh_.place[previous];
-    return std::abs(cross(along, mesh_.place[from] - mesh_.place[previous])) < straight * along.squaredNorm();
-  }
-
-  /// @pre collect_star(from)
-  void consider_collapse(Index from, Index to, Change& best) {
-    const bool on_rim = mesh_.on_boundary[from] != 0;
-    if (on_rim && !mesh_.on_boundary[to]) return;
-    if (on_rim && !is_straight_rim(from, to)) return;
-    double before = -1, after = -1;
-    SheetRoom room;
-    for (const Index t : star_) before = std::max(before, sharpness_[t]);
-    int shared = 0;
-    for (const Index t : star_) {
-      Corners corners = mesh_.triangles[t];
-      room = common_room(room, mesh_.room[t]);
-      const std::size_t k = corner_of(corners, from);
-      const Index b = corners[(k + 1) % 3], c = corners[(k + 2) % 3];
-      if (b == to || c == to) {
-        ++shared;
-        continue;
-      }
-      if (!on_rim && (!joinable(to, b) || !joinable(to, c))) return;
-      corners[k] = to;
-      if (!keeps_sense(corners)) return;
-      after = std::max(after, sharpness(corners));
-      if (before - after <= best.gain) return;
-    }
-    if (shared != (on_rim ? 1 : 2) || star_.size() < (on_rim ? 2 : 4) || before - after <= best.gain) return;
-    const std::optional<Moved> moved = moved_by_collapse(from, to, std::isfinite(room.least()));
-    if (!moved || !moved->fits(room)) return;
-    if (!faces_alike_after(from, to) || makes_notch(from, to)) return;
-    best = {before - after, Kind::Collapse, 0, 0, from, to, *moved};
-  }
-
-  /// Whether the surface is bent inwards along the edge from the first's corner 0 to its corner 2.
-  bool is_notch(const Corners& first, const Corners& second) const {
-    for (const bool in_front : {true, false}) {
-      const Vec3 own = normal(first, in_front), other = normal(second, in_front);
-      const Vec3 across = in_front ? front(second[2]) - front(first[0]) : back(second[2]) - back(first[0]);
-      const bool inwards = (own.dot(across) > 0) == in_front;
-      if (inwards && own.dot(other) < least_rim_bend * own.norm() * other.norm()) return true;
-    }
-    return false;
-  }
-
-  /// Whether an edge to the rim would be bent inwards after a collapse. @pre collect_star(from)
-  bool makes_notch(Index from, Index to) const {
-    const auto after = [&](Index t) {
-      const Corners& corners = mesh_.triangles[t];
-      const std::size_t k = corner_of(corners, from);
-      return Corners{to, corners[(k + 1) % 3], corners[(k + 2) % 3]};
-    };
-    for (std::size_t i = 0; i < star_.size(); ++i) {
-      if (mesh_.on_boundary[from] && i + 1 == star_.size()) break;
-      const Corners first = after(star_[i]), second = after(star_[(i + 1) % star_.size()]);
-      if (first[1] == to || first[2] == to || second[2] == to) continue;
-      if ((mesh_.on_boundary[to] || mesh_.on_boundary[first[2]]) && is_notch(first, second)) return true;
-    }
-    return false;
-  }
-
-  /// @pre collect_star(from)
-  bool faces_alike_after(Index from, Index to) {
-    before_.clear();
-    after_.clear();
-    for (const Index t : star_) {
-      Corners corners = mesh_.triangles[t];
-      before_.push_back(corners);
-      if (corners[0] == to || corners[1] == to || corners[2] == to) continue;
-      corners[corner_of(corners, from)] = to;
-      after_.push_back(corners);
-    }
-    return face_alike(before_, after_);
-  }
-
-  /// How far the surface moves up or down; none if that is too far along its normal. @pre collect_star(from)
-  std::optional<Moved> moved_by_collapse(Index from, Index to, bool everywhere) const {
-    Moved moved;
-    for (const Index t : star_) {
-      Corners corners = mesh_.triangles[t];
-      if (corners[0] == to || corners[1] == to || corners[2] == to) continue;
-      corners[corner_of(corners, from)] = to;
-      const double area = twice_area(corners);
-      std::array<double, 3> w{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2& p = mesh_.place[corners[(k + 1) % 3]];
-        const Vec2& q = mesh_.place[corners[(k + 2) % 3]];
-        w[k] = cross(p - mesh_.place[from], q - mesh_.place[from]) / area;
-      }
-      if (std::min({w[0], w[1], w[2]}) < -1e-9) continue;
-      for (const bool in_front : {true, false}) {
-        double height = 0;
-        for (std::size_t k = 0; k < 3; ++k) height += w[k] * at(corners[k], in_front).z();
-        const double off = std::abs(height - at(from, in_front).z());
-        moved.add(off, in_front);
-        if (off * levelness(corners, in_front) > most_deviation * longest_edge(corners, in_front)) return std::nullopt;
-      }
-    }
-    if (everywhere) add_moved_on_spokes(from, to, moved);
-    return moved;
-  }
-
-  /// Adds the distances along z where edges from the vertex that goes cross those from the one that stays.
-  void add_moved_on_spokes(Index from, Index to, Moved& moved) const {
-    for (const Index t : star_) {
-      const Corners& own = mesh_.triangles[t];
-      const Index spoke = own[(corner_of(own, from) + 1) % 3];
-      if (spoke == to) continue;
-      for (const Index other : star_) {
-        const Corners& there = mesh_.triangles[other];
-        const Index far = there[(corner_of(there, from) + 1) % 3];
-        if (far == to || far == spoke) continue;
-        const Vec2 along = mesh_.place[far] - mesh_.place[to];
-        const Vec2 across = mesh_.place[spoke] - mesh_.place[from];
-        const Vec2 offset = mesh_.place[from] - mesh_.place[to];
-        const double turn = cross(along, across);
-        if (turn == 0) continue;
-        const double s = cross(offset, across) / turn;
-        const double r = cross(offset, along) / turn;
-        if (s < 0 || s > 1 || r < 0 || r > 1) continue;
-        for (const bool in_front : {true, false}) {
-          const auto height = [&](Index v) { return at(v, in_front).z(); };
-          moved.add(std::abs((1 - s) * height(to) + s * height(far) - (1 - r) * height(from) - r * height(spoke)),
-                    in_front);
-        }
-      }
-    }
-  }
-
-  void collapse(const Change& change) {
-    collect_star(change.from);
-    SheetRoom room;
-    for (const Index t : star_) room = common_room(room, mesh_.room[t]);
-    for (const Index t : star_) {
-      Corners& corners = mesh_.triangles[t];
-      const std::size_t k = corner_of(corners, change.from);
-      const bool dies = corners[(k + 1) % 3] == change.to || corners[(k + 2) % 3] == change.to;
-      if (!dies) {
-        corners[k] = change.to;
-        mesh_.room[t] = change.moved.left_of(room);
-        continue;
-      }
-      // The two triangles beside it become neighbours.
-      const Index outer = mesh_.neighbours[t][k];
-      const Index inner = mesh_.neighbours[t][corner_of(corners, change.to)];
-      replace_neighbour(outer, t, inner);
-      replace_neighbour(inner, t, outer);
-      corners.fill(no_index);
-    }
-    for (const Index t : star_) {
-      if (is_dead(t)) continue;
-      for (const Index v : mesh_.triangles[t]) at_[v] = t;
-      rate(t);
-    }
-    wake_around(at_[change.to]);
-  }
-
-  void remove_dead() {
-    std::vector<Index> number(mesh_.triangles.size(), no_index);
-    Index count = 0;
-    for (Index t = 0; t < number.size(); ++t) {
-      if (!is_dead(t)) number[t] = count++;
-    }
-    for (Index t = 0; t < number.size(); ++t) {
-      if (number[t] == no_index) continue;
-      mesh_.triangles[number[t]] = mesh_.triangles[t];
-      mesh_.objects[number[t]] = mesh_.objects[t];
-      mesh_.room[number[t]] = mesh_.room[t];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Index other = mesh_.neighbours[t][k];
-        mesh_.neighbours[number[t]][k] = other == no_index ? no_index : number[other];
-      }
-    }
-    mesh_.triangles.resize(count);
-    mesh_.neighbours.resize(count);
-    mesh_.objects.resize(count);
-    mesh_.room.resize(count);
-  }
-
-  SheetMesh& mesh_;
-  std::vector<Index> at_;            ///< per vertex one of its triangles
-  std::vector<double> sharpness_;    ///< per triangle
-  std::vector<Index> waiting_;       ///< slender triangles, in the order in which they became so
-  std::vector<std::uint8_t> waits_;  ///< per triangle whether it is among those that weren't looked at yet
-  std::vector<Vec3> front_, back_;   ///< per vertex
-  std::vector<Index> star_;          ///< of the vertex under consideration
-  std::vector<Corners> before_, after_;
-};
+  mesh.triangles.resize(count);
+  mesh.neighbours.resize(count);
+  mesh.objects.resize(count);
+  mesh.clearance.resize(count);
+}
 
 }  // namespace
 
-void improve_triangles(SheetMesh& mesh, Progress& progress) { SheetImprover(mesh).run(progress); }
+void improve_triangles(SheetMesh& mesh, Progress& progress) {
+  SheetTriangles sheets(mesh);
+  SlenderTriangles waiting(mesh.triangles.size(), slender, max_rounds * mesh.triangles.size());
+  std::vector<Index> star;
+  const auto rate = [&](Index t) {
+    sheets.sharpness[t] = sheets.sharpness_of(mesh.triangles[t]);
+    waiting.add(t, sheets.sharpness[t]);
+  };
+  // What couldn't be mended before may be so now.
+  const auto rate_around = [&](Index t) {
+    for (const Index v : mesh.triangles[t]) {
+      sheets.collect_star(v, star);
+      for (const Index near : star) waiting.add(near, sheets.sharpness[near]);
+    }
+  };
+  for (Index t = 0; t < mesh.triangles.size(); ++t) rate(t);
+  for (std::size_t looks = 0; const std::optional<Index> t = waiting.next(); ++looks) {
+    if (looks % changes_per_check == 0) progress.check();
+    if (sheets.is_dead(*t) || sheets.sharpness[*t] < slender) continue;
+    Change best;
+    for (std::size_t k = 0; k < 3; ++k) consider_flip(sheets, *t, k, best);
+    const Corners corners = mesh.triangles[*t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      sheets.collect_star(corners[k], star);
+      consider_collapse(sheets, star, corners[k], corners[(k + 1) % 3], best);
+      consider_collapse(sheets, star, corners[k], corners[(k + 2) % 3], best);
+    }
+    if (best.triangle != no_index) {
+      const Index other = mesh.neighbours[best.triangle][best.corner];
+      flip(best, sheets);
+      for (const Index changed : {best.triangle, other}) rate(changed);
+      rate_around(best.triangle);
+    } else if (best.from != no_index) {
+      sheets.collect_star(best.from, star);
+      collapse(best, star, sheets);
+      for (const Index changed : star) {
+        if (!sheets.is_dead(changed)) rate(changed);
+      }
+      rate_around(sheets.at[best.to]);
+    }
+  }
+  remove_dead(sheets);
+}
 
 }  // namespace croquis::silhouette

@@ -7,21 +7,21 @@ namespace croquis::silhouette {
 namespace {
 
 /// Of what the front of an attached object lies before that of the one below: so it stays in sight.
-constexpr double attached_room = 0.25;
+constexpr double attached_clearance = 0.25;
 
 /// Per lifted vertex half the least distance from a sheet above and below.
-std::vector<SheetRoom> room_of_vertices(const InflatedSheets& sheets) {
-  std::vector<SheetRoom> room(sheets.sampling.lifted.planar_vertex.size());
+std::vector<SheetClearance> clearance_of_vertices(const InflatedSheets& sheets) {
+  std::vector<SheetClearance> clearance(sheets.sampling.lifted.planar_vertex.size());
   for (const StackedPair& pair : sheets.pairs) {
     const double gap = pair.resting ? sheets.resting_gap : sheets.gap;
     const double covered = sheets.front(pair.upper) - sheets.front(pair.lower);
     const double between = sheets.back(pair.upper) - sheets.front(pair.lower) - gap;
-    const double half = std::max(pair.attached() ? covered * attached_room : between / 2, 0.0);
-    double& above = pair.attached() ? room[pair.upper].front : room[pair.upper].back;
+    const double half = std::max(pair.attached() ? covered * attached_clearance : between / 2, 0.0);
+    double& above = pair.attached() ? clearance[pair.upper].front : clearance[pair.upper].back;
     above = std::min(above, half);
-    room[pair.lower].front = std::min(room[pair.lower].front, half);
+    clearance[pair.lower].front = std::min(clearance[pair.lower].front, half);
   }
-  return room;
+  return clearance;
 }
 
 }  // namespace
@@ -38,8 +38,9 @@ SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>
   mesh.neighbours = lifted.neighbours;
   mesh.objects = objects;
   mesh.gap = std::ranges::any_of(sheets.pairs, &StackedPair::resting) ? sheets.resting_gap : sheets.gap;
-  const std::vector<SheetRoom> room = room_of_vertices(sheets);
-  for (const auto& [a, b, c] : mesh.triangles) mesh.room.push_back(common_room(common_room(room[a], room[b]), room[c]));
+  const std::vector<SheetClearance> clearance = clearance_of_vertices(sheets);
+  for (const auto& [a, b, c] : mesh.triangles)
+    mesh.clearance.push_back(common_clearance(common_clearance(clearance[a], clearance[b]), clearance[c]));
   return mesh;
 }
 

@@ -14,7 +14,7 @@
 namespace croquis::silhouette {
 
 /// How far the front and the back of a sheet may each be moved up or down, sketch units.
-struct SheetRoom {
+struct SheetClearance {
   double front = std::numeric_limits<double>::infinity();
   double back = std::numeric_limits<double>::infinity();
 
@@ -22,7 +22,7 @@ struct SheetRoom {
 };
 
 /// The less of both, for the front and for the back.
-inline SheetRoom common_room(const SheetRoom& a, const SheetRoom& b) {
+inline SheetClearance common_clearance(const SheetClearance& a, const SheetClearance& b) {
   return {std::min(a.front, b.front), std::min(a.back, b.back)};
 }
 
@@ -36,7 +36,7 @@ struct SheetMesh {
   std::vector<std::array<Index, 3>> triangles;   ///< #M by 3, counter-clockwise in the plane
   std::vector<std::array<Index, 3>> neighbours;  ///< #M by 3, across the edge opposite to corner i, or no_index
   std::vector<Index> objects;                    ///< #M
-  std::vector<SheetRoom> room;                   ///< #M, see below
+  std::vector<SheetClearance> clearance;         ///< #M, see below
   double gap = 0;                                ///< least distance that sheets keep, those of attached objects aside
 
   double front(Index v) const { return z[v] + thickness[v]; }
@@ -45,9 +45,9 @@ struct SheetMesh {
 
 /// The sheets with the triangles that they were solved with.
 ///
-/// Over a triangle, the front and the back may be moved by their room and still keep the gap from the sheet next to
-/// them: half of what lies between the two beyond that; infinity where there is none. Fronts of attached objects keep
-/// their order.
+/// Over a triangle, the front and the back may be moved by their clearance and still keep the gap from the sheet next
+/// to them: half of what lies between the two beyond that; infinity where there is none. Fronts of attached objects
+/// keep their order.
 /// @param objects per lifted triangle
 SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>& objects);
 
