@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -44,7 +45,11 @@ SourceFile read_source(const fs::path& root, const fs::path& path) {
   file.module = module_of(file.path);
   file.is_public = file.path.starts_with("include/");
   std::ifstream stream(path);
+  static const std::regex type(R"(^\s*(struct|class|enum|enum class) \w+.*\{.*)");
+  static const std::regex constant(R"(^(inline |static )?constexpr [^(]*[={].*)");
   for (std::string line; std::getline(stream, line); ++file.line_count) {
+    file.type_count += std::regex_match(line, type);
+    file.constant_count += std::regex_match(line, constant);
     if (!line.starts_with("#include")) continue;
     const auto open = line.find_first_of("\"<");
     const auto close = line.find_first_of("\">", open + 1);
@@ -107,6 +112,26 @@ std::map<std::string, ModuleRule> read_rules(const fs::path& root) {
     rules[row[0]] = std::move(rule);
   }
   return rules;
+}
+
+std::map<std::string, ModuleSize> read_budgets(const fs::path& root) {
+  std::map<std::string, ModuleSize> budgets;
+  for (const auto& row : read_table_rows(root / "docs/architecture.md", "Budget of")) {
+    budgets[row[0]] = {std::stoul(row[1]), std::stoul(row[2]), std::stoul(row[3]), std::stoul(row[4])};
+  }
+  return budgets;
+}
+
+std::map<std::string, ModuleSize> sizes_of(const std::vector<SourceFile>& files) {
+  std::map<std::string, ModuleSize> sizes;
+  for (const SourceFile& file : files) {
+    ModuleSize& size = sizes[file.module];
+    size.lines += file.line_count;
+    size.files += 1;
+    size.types += file.type_count;
+    size.constants += file.constant_count;
+  }
+  return sizes;
 }
 
 std::set<std::string> reachable(const std::map<std::string, ModuleRule>& rules, const std::string& module) {

@@ -17,6 +17,13 @@ struct SourceFile {
   std::vector<std::string> own_includes;     ///< project files, relative to the root
   std::vector<std::string> system_includes;  ///< what stands between < and >
   std::size_t line_count = 0;
+  std::size_t type_count = 0;      ///< structs, classes and enumerations that are defined in it
+  std::size_t constant_count = 0;  ///< named numbers and tables of the whole file
+};
+
+/// How large a module is, or may be.
+struct ModuleSize {
+  std::size_t lines = 0, files = 0, types = 0, constants = 0;
 };
 
 struct ModuleRule {
@@ -29,6 +36,12 @@ std::vector<SourceFile> read_sources(const std::filesystem::path& root);
 
 /// The table of docs/architecture.md by module.
 std::map<std::string, ModuleRule> read_rules(const std::filesystem::path& root);
+
+/// The table of budgets of docs/architecture.md by module.
+std::map<std::string, ModuleSize> read_budgets(const std::filesystem::path& root);
+
+/// What the modules have, by module.
+std::map<std::string, ModuleSize> sizes_of(const std::vector<SourceFile>& files);
 
 /// Everything a module may use: `uses` followed downwards, itself and base.
 std::set<std::string> reachable(const std::map<std::string, ModuleRule>& rules, const std::string& module);

@@ -139,6 +139,21 @@ TEST_CASE("a tool's folder includes only itself and the shared ones, and those n
   }
 }
 
+TEST_CASE("no module is larger than its budget, and no budget much larger than its module") {
+  const auto budgets = read_budgets(root);
+  for (const auto& [module, size] : sizes_of(read_sources(root))) {
+    INFO("module " << module << ": | " << size.lines << " | " << size.files << " | " << size.types << " | "
+                   << size.constants << " |");
+    REQUIRE(budgets.contains(module));
+    const ModuleSize& budget = budgets.at(module);
+    CHECK(size.lines <= budget.lines);
+    CHECK(size.files <= budget.files);
+    CHECK(size.types <= budget.types);
+    CHECK(size.constants <= budget.constants);
+    CHECK(budget.lines <= size.lines + size.lines / 20 + 50);  // what has shrunk stays so
+  }
+}
+
 TEST_CASE("no file is longer than 500 lines") {
   for (const SourceFile& file : read_sources(root)) {
     INFO(file.path);
