@@ -9,7 +9,7 @@
 
 #include "croquis/document/backdrop.h"
 #include "croquis/document/document.h"
-#include "document/node_content.h"
+#include "document/evaluation_steps.h"
 
 namespace croquis {
 

@@ -10,10 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/document/byte_size.h"
 #include "croquis/document/memo.h"
-#include "document/evaluation_order.h"
-#include "document/node_content.h"
-#include "document/node_faults.h"
-#include "document/operation_runner.h"
+#include "document/evaluation_steps.h"
 #include "document/value_hashes.h"
 
 namespace croquis {

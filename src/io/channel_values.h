@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "croquis/geometry/poly_mesh.h"
 
-/// Reading channels independently of the type that their file had.
+/// Reading and making channels independently of the type that their file has.
 namespace croquis {
 
 /// The value number `i` of the flat data.
@@ -37,5 +39,30 @@ AttributeChannel make_channel(std::string name, Domain domain, int width, std::v
 /// Colours gathered as numbers: bytes when every file's value was an integer 0..255 and each element has one, else
 /// numbers 0..1 with NaN for none.
 AttributeChannel colour_channel(Domain domain, int width, std::vector<double> unit_values, bool bytes);
+
+/// A named state of a text format (OBJ's g, o and usemtl, STL's solid): the name in force becomes a label of every face
+/// and line that follows.
+class CategoryState {
+ public:
+  explicit CategoryState(const char* name) : name_(name) {}
+
+  void set(std::string_view label);
+  void clear() { current_ = -1; }
+  void face_added(std::size_t faces_before) { note(face_values_, faces_before); }
+  void line_added(std::size_t lines_before) { note(line_values_, lines_before); }
+
+  /// Appends the channels, none where nothing was ever named.
+  void finish(PolyMesh& mesh);
+
+ private:
+  void note(std::vector<std::int32_t>& values, std::size_t elements_before);
+
+  const char* name_;
+  std::int32_t current_ = -1;
+  std::vector<std::string> labels_;
+  std::unordered_map<std::string, std::int32_t> numbers_;
+  std::vector<std::int32_t> face_values_;
+  std::vector<std::int32_t> line_values_;
+};
 
 }  // namespace croquis

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/glb_writer.h"
-
 #include <map>
 #include <sstream>
 
 #include <tiny_gltf.h>
 
 #include "croquis/base/error.h"
-#include "io/float_positions.h"
-#include "io/format_loss.h"
-#include "io/gltf/glb_camera.h"
-#include "io/gltf/glb_objects.h"
-#include "io/value_sink.h"
+#include "io/gltf/glb_writing.h"
+#include "io/mesh_formats.h"
+#include "io/mesh_writing.h"
 
 namespace croquis {
 namespace {
@@ -38,15 +34,145 @@ class GlbWriter {
   }
 
  private:
+  // Every accessor has a view of its own; all component sizes here keep the data aligned to four bytes.
   template <typename T>
-  int add_accessor(const std::vector<T>& values, std::size_t per_element, int component_type, int target);
-  std::map<std::string, int> add_attributes(const GlbObject& object);
-  int material(const std::string& name);
-  void add_object(const GlbObject& object);
-  void finish_model();
-  void turn_upright(tinygltf::Scene& scene);
-  void note_losses();
-  std::string serialized() const;
+  int add_accessor(const std::vector<T>& values, std::size_t per_element, int component_type, int target) {
+    ValueSink sink(false, 0);
+    for (const T value : values) sink.put(value);
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = data_.size();
+    view.byteLength = sink.text().size();
+    view.target = target;
+    data_ += sink.text();
+    model_.bufferViews.push_back(view);
+    tinygltf::Accessor accessor;
+    accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
+    accessor.componentType = component_type;
+    // The library's numbers of vectors are those of their components.
+    accessor.type = per_element == 1 ? TINYGLTF_TYPE_SCALAR : static_cast<int>(per_element);
+    accessor.count = values.size() / per_element;
+    model_.accessors.push_back(accessor);
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+
+  std::map<std::string, int> add_attributes(const GlbObject& object) {
+    std::map<std::string, int> attributes;
+    const auto add = [&](const char* name, std::size_t width, const auto& value) {
+      std::vector<float> values;
+      values.reserve(width * object.vertices.size());
+      for (const GlbVertex& vertex : object.vertices) {
+        for (std::size_t i = 0; i < width; ++i) values.push_back(value(vertex, i));
+      }
+      attributes[name] = add_accessor(values, width, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
+    };
+    const auto add_numbers = [&](const char* name, std::size_t width, std::size_t first) {
+      add(name, width, [first](const GlbVertex& vertex, std::size_t i) { return vertex.numbers[first + i]; });
+    };
+    add("POSITION", 3, [&](const GlbVertex& vertex, std::size_t i) {
+      return static_cast<float>(positions_[vertex.vertex][static_cast<Eigen::Index>(i)]);
+    });
+    Vec3 low = positions_[object.vertices.front().vertex], high = low;
+    for (const GlbVertex& vertex : object.vertices) {
+      low = low.cwiseMin(positions_[vertex.vertex]);
+      high = high.cwiseMax(positions_[vertex.vertex]);
+    }
+    tinygltf::Accessor& bounded = model_.accessors.back();
+    bounded.minValues.assign(low.begin(), low.end());
+    bounded.maxValues.assign(high.begin(), high.end());
+    if (content_.has_normals) add_numbers("NORMAL", 3, glb_normal);
+    if (content_.colour_width > 0) add_numbers("COLOR_0", static_cast<std::size_t>(content_.colour_width), glb_colour);
+    if (content_.has_uv) add_numbers("TEXCOORD_0", 2, glb_uv);
+    return attributes;
+  }
+
+  /// The material of that name, which is made when it is first asked for.
+  int material(const std::string& name) {
+    const auto [known, is_new] = materials_.try_emplace(name, static_cast<int>(model_.materials.size()));
+    if (!is_new) return known->second;
+    tinygltf::Material material;
+    material.name = name;
+    material.doubleSided = true;  // open surfaces are seen from both sides
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 0.8;
+    model_.materials.push_back(material);
+    return known->second;
+  }
+
+  void add_object(const GlbObject& object) {
+    tinygltf::Mesh mesh;
+    const std::map<std::string, int> attributes = add_attributes(object);
+    const auto add_primitive = [&](const std::vector<std::uint32_t>& indices, int mode, const std::string& name) {
+      if (indices.empty()) return;
+      tinygltf::Primitive primitive;
+      primitive.attributes = attributes;
+      // Lines without normals are drawn in their own colour, not as if light fell on them.
+      if (mode == TINYGLTF_MODE_LINE && content_.normals_computed) primitive.attributes.erase("NORMAL");
+      primitive.indices =
+          add_accessor(indices, 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+      primitive.material = material(name);
+      primitive.mode = mode;
+      mesh.primitives.push_back(primitive);
+    };
+    for (const GlbPart& part : object.parts) add_primitive(part.triangles, TINYGLTF_MODE_TRIANGLES, part.name);
+    add_primitive(object.segments, TINYGLTF_MODE_LINE, object.parts.empty() ? "" : object.parts.front().name);
+    if (mesh.primitives.empty()) return;
+    tinygltf::Node node;
+    node.name = mesh.name = object.name.empty() ? options_.name : object.name;
+    node.mesh = static_cast<int>(model_.meshes.size());
+    tinygltf::Value::Object extras;
+    if (content_.normals_computed) extras[GlbExtras::computed_normals] = tinygltf::Value(true);
+    if (content_.has_groups) extras[GlbExtras::groups] = tinygltf::Value(true);
+    if (!extras.empty()) mesh.extras = tinygltf::Value(extras);
+    model_.meshes.push_back(mesh);
+    scene_.nodes.push_back(static_cast<int>(model_.nodes.size()));
+    model_.nodes.push_back(node);
+  }
+
+  void finish_model() {
+    if (options_.camera) scene_.nodes.push_back(add_camera_node(*options_.camera, positions_, model_));
+    if (scene_.nodes.empty()) scene_.name = "empty";  // the library would write a scene without any member as null
+    if (options_.z_up && !scene_.nodes.empty()) turn_upright(scene_);
+    model_.scenes.push_back(scene_);
+    model_.defaultScene = 0;
+    if (data_.empty()) return;
+    tinygltf::Buffer buffer;
+    buffer.data.assign(data_.begin(), data_.end());
+    model_.buffers.push_back(buffer);
+  }
+
+  /// Puts all nodes under one that turns z, which points up in the mesh, to y.
+  void turn_upright(tinygltf::Scene& scene) {
+    tinygltf::Node upright;
+    upright.name = "Z up";
+    upright.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+    upright.children = scene.nodes;
+    scene.nodes = {static_cast<int>(model_.nodes.size())};
+    model_.nodes.push_back(std::move(upright));
+  }
+
+  void note_losses() {
+    loss_.note_polygons(mesh_);
+    if (!content_.keeps_order) loss_.note("the order of vertices");
+    loss_.note_tags(mesh_.tags);
+    loss_.note_others(mesh_, content_.written);
+  }
+
+  std::string serialized() const {
+    std::ostringstream stream;
+    tinygltf::TinyGLTF writer;
+    bool good = false;
+    std::string reason = "the library gave no reason";
+    try {
+      good = writer.WriteGltfSceneToStream(&model_, stream, false, true);
+    } catch (const std::exception& exception) {
+      reason = exception.what();
+    }
+    if (!good) {
+      throw Error(make_error(Category::Internal, "E_GLB", "The mesh can't be encoded as GLB: " + reason + "."));
+    }
+    return std::move(stream).str();
+  }
 
   const PolyMesh& mesh_;
   const MeshWriteOptions& options_;
@@ -59,146 +185,6 @@ class GlbWriter {
   std::map<std::string, int> materials_;
   std::string data_;
 };
-
-// Every accessor has a view of its own; all component sizes here keep the data aligned to four bytes.
-template <typename T>
-int GlbWriter::add_accessor(const std::vector<T>& values, std::size_t per_element, int component_type, int target) {
-  ValueSink sink(false, 0);
-  for (const T value : values) sink.put(value);
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = data_.size();
-  view.byteLength = sink.text().size();
-  view.target = target;
-  data_ += sink.text();
-  model_.bufferViews.push_back(view);
-  tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
-  accessor.componentType = component_type;
-  // The library's numbers of vectors are those of their components.
-  accessor.type = per_element == 1 ? TINYGLTF_TYPE_SCALAR : static_cast<int>(per_element);
-  accessor.count = values.size() / per_element;
-  model_.accessors.push_back(accessor);
-  return static_cast<int>(model_.accessors.size()) - 1;
-}
-
-std::map<std::string, int> GlbWriter::add_attributes(const GlbObject& object) {
-  std::map<std::string, int> attributes;
-  const auto add = [&](const char* name, std::size_t width, const auto& value) {
-    std::vector<float> values;
-    values.reserve(width * object.vertices.size());
-    for (const GlbVertex& vertex : object.vertices) {
-      for (std::size_t i = 0; i < width; ++i) values.push_back(value(vertex, i));
-    }
-    attributes[name] = add_accessor(values, width, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TARGET_ARRAY_BUFFER);
-  };
-  const auto add_numbers = [&](const char* name, std::size_t width, std::size_t first) {
-    add(name, width, [first](const GlbVertex& vertex, std::size_t i) { return vertex.numbers[first + i]; });
-  };
-  add("POSITION", 3, [&](const GlbVertex& vertex, std::size_t i) {
-    return static_cast<float>(positions_[vertex.vertex][static_cast<Eigen::Index>(i)]);
-  });
-  Vec3 low = positions_[object.vertices.front().vertex], high = low;
-  for (const GlbVertex& vertex : object.vertices) {
-    low = low.cwiseMin(positions_[vertex.vertex]);
-    high = high.cwiseMax(positions_[vertex.vertex]);
-  }
-  tinygltf::Accessor& bounded = model_.accessors.back();
-  bounded.minValues.assign(low.begin(), low.end());
-  bounded.maxValues.assign(high.begin(), high.end());
-  if (content_.has_normals) add_numbers("NORMAL", 3, glb_normal);
-  if (content_.colour_width > 0) add_numbers("COLOR_0", static_cast<std::size_t>(content_.colour_width), glb_colour);
-  if (content_.has_uv) add_numbers("TEXCOORD_0", 2, glb_uv);
-  return attributes;
-}
-
-/// The material of that name, which is made when it is first asked for.
-int GlbWriter::material(const std::string& name) {
-  const auto [known, is_new] = materials_.try_emplace(name, static_cast<int>(model_.materials.size()));
-  if (!is_new) return known->second;
-  tinygltf::Material material;
-  material.name = name;
-  material.doubleSided = true;  // open surfaces are seen from both sides
-  material.pbrMetallicRoughness.metallicFactor = 0;
-  material.pbrMetallicRoughness.roughnessFactor = 0.8;
-  model_.materials.push_back(material);
-  return known->second;
-}
-
-void GlbWriter::add_object(const GlbObject& object) {
-  tinygltf::Mesh mesh;
-  const std::map<std::string, int> attributes = add_attributes(object);
-  const auto add_primitive = [&](const std::vector<std::uint32_t>& indices, int mode, const std::string& name) {
-    if (indices.empty()) return;
-    tinygltf::Primitive primitive;
-    primitive.attributes = attributes;
-    // Lines without normals are drawn in their own colour, not as if light fell on them.
-    if (mode == TINYGLTF_MODE_LINE && content_.normals_computed) primitive.attributes.erase("NORMAL");
-    primitive.indices =
-        add_accessor(indices, 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    primitive.material = material(name);
-    primitive.mode = mode;
-    mesh.primitives.push_back(primitive);
-  };
-  for (const GlbPart& part : object.parts) add_primitive(part.triangles, TINYGLTF_MODE_TRIANGLES, part.name);
-  add_primitive(object.segments, TINYGLTF_MODE_LINE, object.parts.empty() ? "" : object.parts.front().name);
-  if (mesh.primitives.empty()) return;
-  tinygltf::Node node;
-  node.name = mesh.name = object.name.empty() ? options_.name : object.name;
-  node.mesh = static_cast<int>(model_.meshes.size());
-  tinygltf::Value::Object extras;
-  if (content_.normals_computed) extras[GlbExtras::computed_normals] = tinygltf::Value(true);
-  if (content_.has_groups) extras[GlbExtras::groups] = tinygltf::Value(true);
-  if (!extras.empty()) mesh.extras = tinygltf::Value(extras);
-  model_.meshes.push_back(mesh);
-  scene_.nodes.push_back(static_cast<int>(model_.nodes.size()));
-  model_.nodes.push_back(node);
-}
-
-void GlbWriter::finish_model() {
-  if (options_.camera) scene_.nodes.push_back(add_camera_node(*options_.camera, positions_, model_));
-  if (scene_.nodes.empty()) scene_.name = "empty";  // the library would write a scene without any member as null
-  if (options_.z_up && !scene_.nodes.empty()) turn_upright(scene_);
-  model_.scenes.push_back(scene_);
-  model_.defaultScene = 0;
-  if (data_.empty()) return;
-  tinygltf::Buffer buffer;
-  buffer.data.assign(data_.begin(), data_.end());
-  model_.buffers.push_back(buffer);
-}
-
-/// Puts all nodes under one that turns z, which points up in the mesh, to y.
-void GlbWriter::turn_upright(tinygltf::Scene& scene) {
-  tinygltf::Node upright;
-  upright.name = "Z up";
-  upright.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
-  upright.children = scene.nodes;
-  scene.nodes = {static_cast<int>(model_.nodes.size())};
-  model_.nodes.push_back(std::move(upright));
-}
-
-void GlbWriter::note_losses() {
-  loss_.note_polygons(mesh_);
-  if (!content_.keeps_order) loss_.note("the order of vertices");
-  loss_.note_tags(mesh_.tags);
-  loss_.note_others(mesh_, content_.written);
-}
-
-std::string GlbWriter::serialized() const {
-  std::ostringstream stream;
-  tinygltf::TinyGLTF writer;
-  bool good = false;
-  std::string reason = "the library gave no reason";
-  try {
-    good = writer.WriteGltfSceneToStream(&model_, stream, false, true);
-  } catch (const std::exception& exception) {
-    reason = exception.what();
-  }
-  if (!good) {
-    throw Error(make_error(Category::Internal, "E_GLB", "The mesh can't be encoded as GLB: " + reason + "."));
-  }
-  return std::move(stream).str();
-}
 
 }  // namespace
 

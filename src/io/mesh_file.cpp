@@ -5,21 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "croquis/base/error.h"
-#include "io/float_positions.h"
-#include "io/glb_writer.h"
-#include "io/gltf/glb_reader.h"
-#include "io/mesh_checks.h"
-#include "io/obj/obj_reader.h"
-#include "io/obj/obj_writer.h"
-#include "io/off_reader.h"
-#include "io/off_writer.h"
-#include "io/ply/ply_reader.h"
-#include "io/ply/ply_writer.h"
+#include "io/mesh_formats.h"
+#include "io/mesh_writing.h"
 #include "io/read_context.h"
-#include "io/stl_reader.h"
-#include "io/stl_writer.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -31,18 +22,25 @@ constexpr std::size_t largest_file = std::size_t{1} << 32;
 // Editors put it before UTF-8 text.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// What a format is called, and who reads it: the one list of formats.
+/// What a format is called, who reads and writes it, and when its positions are 32-bit floats: the one list of formats.
 struct FormatEntry {
   MeshFormat format;
   const char* name;
   std::string_view extension;
   PolyMesh (*read)(std::string_view bytes, ReadContext& context);
+  MeshWriteResult (*write)(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress);
+  enum class Floats { Never, InBinary, Always } floats;
+  bool is_binary;  ///< where the options don't ask for text
 };
 
+using Floats = FormatEntry::Floats;
+
 constexpr std::array formats = {
-    FormatEntry{MeshFormat::Obj, "OBJ", "obj", &read_obj}, FormatEntry{MeshFormat::Ply, "PLY", "ply", &read_ply},
-    FormatEntry{MeshFormat::Stl, "STL", "stl", &read_stl}, FormatEntry{MeshFormat::Off, "OFF", "off", &read_off},
-    FormatEntry{MeshFormat::Glb, "GLB", "glb", &read_glb}};
+    FormatEntry{MeshFormat::Obj, "OBJ", "obj", &read_obj, &write_obj, Floats::Never, false},
+    FormatEntry{MeshFormat::Ply, "PLY", "ply", &read_ply, &write_ply, Floats::Never, true},
+    FormatEntry{MeshFormat::Stl, "STL", "stl", &read_stl, &write_stl, Floats::InBinary, true},
+    FormatEntry{MeshFormat::Off, "OFF", "off", &read_off, &write_off, Floats::Never, false},
+    FormatEntry{MeshFormat::Glb, "GLB", "glb", &read_glb, &write_glb, Floats::Always, true}};
 
 const FormatEntry& entry_of(MeshFormat format) { return *std::ranges::find(formats, format, &FormatEntry::format); }
 
@@ -56,6 +54,54 @@ void check_size(const MeshSource& source, ReadContext& context) {
                          {{SubjectKind::File, source.file_name, source.file_name, std::nullopt, {}}}));
 }
 
+constexpr std::size_t named_faces = 100;
+
+// Sorting keeps faces with very many corners from costing their square.
+bool repeats_a_vertex(std::span<const Index> face, std::vector<Index>& scratch) {
+  if (face.size() == 3) return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+  scratch.assign(face.begin(), face.end());
+  std::sort(scratch.begin(), scratch.end());
+  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
+}
+
+void warn_of_degenerate_faces(const PolyMesh& mesh, ReadContext& context) {
+  std::vector<Index> scratch;
+  std::vector<Subject> subjects;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (!repeats_a_vertex(mesh.face(f), scratch)) continue;
+    if (++count <= named_faces) subjects.push_back(face_subject(f).front());
+  }
+  if (count == 0) return;
+  const std::string first = name_of(subjects.front());
+  const std::string message = count == 1 ? "face " + first + " uses a vertex twice; it is kept as it is"
+                                         : std::to_string(count) + " faces use a vertex twice, the first is face " +
+                                               first + "; they are kept as they are";
+  context.warn("W_DEGENERATE", message, {}, std::move(subjects));
+}
+
+bool all_points_equal(const PolyMesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [&](const Vec3& p) { return p == mesh.positions.front(); });
+}
+
+/// What every format's result must hold beyond its syntax: faces unless they aren't asked for (E_NO_FACES), at least
+/// vertices (E_EMPTY), points that differ (E_DEGENERATE). Faces that use a vertex twice are listed in one W_DEGENERATE
+/// and kept: scans have them.
+void check_mesh(const PolyMesh& mesh, bool require_faces, ReadContext& context) {
+  if (require_faces && mesh.face_count() == 0) {
+    context.fail("E_NO_FACES",
+                 "the file has " + std::to_string(mesh.vertex_count()) + " vertices and " +
+                     std::to_string(mesh.line_count()) + " polylines, but no faces",
+                 {});
+  }
+  if (mesh.vertex_count() == 0) context.fail("E_EMPTY", "the file has no vertices", {});
+  if (mesh.face_count() > 0 && all_points_equal(mesh)) {
+    context.fail("E_DEGENERATE", "all points of the model are the same", {});
+  }
+  warn_of_degenerate_faces(mesh, context);
+}
+
 // What a text format's reader gets back under `precision`.
 template <typename Float>
 double rewritten(double value, int precision) {
@@ -67,7 +113,8 @@ double rewritten(double value, int precision) {
 }
 
 bool stores_floats(MeshFormat format, const MeshWriteOptions& options) {
-  return format == MeshFormat::Glb || (format == MeshFormat::Stl && !options.ascii);
+  const Floats floats = entry_of(format).floats;
+  return floats == Floats::Always || (floats == Floats::InBinary && !options.ascii);
 }
 
 }  // namespace
@@ -110,19 +157,12 @@ MeshReadResult read_mesh(std::string_view bytes, MeshFormat format, const std::s
 
 MeshWriteResult write_mesh(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options,
                            Progress& progress) {
-  switch (format) {
-    case MeshFormat::Obj: return write_obj(mesh, options, progress);
-    case MeshFormat::Ply: return write_ply(mesh, options, progress);
-    case MeshFormat::Stl: return write_stl(mesh, options, progress);
-    case MeshFormat::Off: return write_off(mesh, options, progress);
-    case MeshFormat::Glb: return write_glb(mesh, options, progress);
-  }
-  return {};
+  return entry_of(format).write(mesh, options, progress);
 }
 
 bool keeps_positions(const PolyMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
   if (stores_floats(format, options)) return positions_are_floats(mesh);
-  const bool as_text = format == MeshFormat::Obj || format == MeshFormat::Off || options.ascii;
+  const bool as_text = !entry_of(format).is_binary || options.ascii;
   return !as_text || options.precision <= 0;
 }
 

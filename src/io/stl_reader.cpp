@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/stl_reader.h"
-
 #include <algorithm>
 #include <array>
 
 #include "croquis/base/limits.h"
 #include "io/channel_values.h"
 #include "io/little_endian.h"
-#include "io/obj/category_state.h"
+#include "io/mesh_formats.h"
 #include "io/position_joiner.h"
 #include "io/text.h"
 
@@ -46,8 +44,50 @@ class BinaryStlReader {
   }
 
  private:
-  std::size_t facet_count();
-  void read_facet(std::size_t facet);
+  std::size_t facet_count() {
+    if (bytes_.size() < header_size) {
+      context_.fail(lower_case(bytes_.substr(0, 5)) == "solid" ? "E_SYNTAX" : "E_TRUNCATED",
+                    "this is neither a text STL nor long enough for a binary one", at_byte(bytes_.size()));
+    }
+    const std::size_t claimed = load_little_endian<std::uint32_t>(bytes_.data() + 80);
+    const std::size_t held = (bytes_.size() - header_size) / facet_size;
+    if (claimed > held) {
+      context_.fail(
+          "E_TRUNCATED",
+          "the header claims " + std::to_string(claimed) + " facets, but the file holds only " + std::to_string(held),
+          at_byte(bytes_.size()));
+    }
+    if (claimed < held) {
+      context_.fail(
+          "E_COUNT",
+          "the header claims " + std::to_string(claimed) + " facets, but the file holds " + std::to_string(held),
+          at_byte(80));
+    }
+    const std::size_t end = header_size + facet_size * claimed;
+    if (end < bytes_.size()) {
+      context_.warn("W_TRAILING", std::to_string(bytes_.size() - end) + " bytes after the last facet were passed over",
+                    at_byte(end));
+    }
+    return claimed;
+  }
+
+  void read_facet(std::size_t facet) {
+    const std::size_t byte = header_size + facet_size * facet;
+    context_.tick(byte);
+    const char* from = bytes_.data() + byte + 12;
+    std::array<Index, 3> corners{};
+    for (Index& corner : corners) {
+      Vec3 point;
+      for (double& x : point) {
+        x = load_little_endian<float>(from);
+        from += 4;
+      }
+      if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_byte(byte));
+      corner = joiner_.add(point, mesh_.positions);
+    }
+    mesh_.add_face(corners);
+    attributes_.push_back(load_little_endian<std::uint16_t>(from));
+  }
 
   std::string_view bytes_;
   ReadContext& context_;
@@ -55,51 +95,6 @@ class BinaryStlReader {
   PositionJoiner joiner_;
   std::vector<std::uint16_t> attributes_;
 };
-
-std::size_t BinaryStlReader::facet_count() {
-  if (bytes_.size() < header_size) {
-    context_.fail(lower_case(bytes_.substr(0, 5)) == "solid" ? "E_SYNTAX" : "E_TRUNCATED",
-                  "this is neither a text STL nor long enough for a binary one", at_byte(bytes_.size()));
-  }
-  const std::size_t claimed = load_little_endian<std::uint32_t>(bytes_.data() + 80);
-  const std::size_t held = (bytes_.size() - header_size) / facet_size;
-  if (claimed > held) {
-    context_.fail(
-        "E_TRUNCATED",
-        "the header claims " + std::to_string(claimed) + " facets, but the file holds only " + std::to_string(held),
-        at_byte(bytes_.size()));
-  }
-  if (claimed < held) {
-    context_.fail(
-        "E_COUNT",
-        "the header claims " + std::to_string(claimed) + " facets, but the file holds " + std::to_string(held),
-        at_byte(80));
-  }
-  const std::size_t end = header_size + facet_size * claimed;
-  if (end < bytes_.size()) {
-    context_.warn("W_TRAILING", std::to_string(bytes_.size() - end) + " bytes after the last facet were passed over",
-                  at_byte(end));
-  }
-  return claimed;
-}
-
-void BinaryStlReader::read_facet(std::size_t facet) {
-  const std::size_t byte = header_size + facet_size * facet;
-  context_.tick(byte);
-  const char* from = bytes_.data() + byte + 12;
-  std::array<Index, 3> corners{};
-  for (Index& corner : corners) {
-    Vec3 point;
-    for (double& x : point) {
-      x = load_little_endian<float>(from);
-      from += 4;
-    }
-    if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_byte(byte));
-    corner = joiner_.add(point, mesh_.positions);
-  }
-  mesh_.add_face(corners);
-  attributes_.push_back(load_little_endian<std::uint16_t>(from));
-}
 
 class TextStlReader {
  public:
@@ -115,12 +110,77 @@ class TextStlReader {
   }
 
  private:
-  std::string_view next();
-  void expect(const char* keyword);
-  [[noreturn]] void fail_expecting(const std::string& keyword, std::string_view word);
-  double number();
-  void read_solid();
-  void read_facet();
+  // The next word of the file, whichever line it is on.
+  std::string_view next() {
+    std::string_view word = words_.next();
+    TextLine line;
+    while (word.empty() && lines_.next(line)) {
+      words_ = WordReader(line.text);
+      word = words_.next();
+    }
+    return word;
+  }
+
+  void expect(const char* keyword) {
+    const std::string_view word = next();
+    if (word != keyword && lower_case(word) != keyword) fail_expecting(keyword, word);
+  }
+
+  void fail_expecting(const std::string& keyword, std::string_view word) {
+    const Place place = at_line(lines_.line_number());
+    if (word.empty()) context_.fail("E_TRUNCATED", "the file ends where '" + keyword + "' must follow", place);
+    context_.fail("E_SYNTAX", in_quotes(word) + " stands where '" + keyword + "' must follow", place);
+  }
+
+  double number() {
+    const std::string_view word = next();
+    double value = 0;
+    if (word.empty() || !parse_number(word, value)) fail_expecting("a number", word);
+    return value;
+  }
+
+  void read_solid() {
+    const std::string_view name = words_.rest();
+    name.empty() ? objects_.clear() : objects_.set(name);
+    words_ = WordReader("");
+    while (true) {
+      const std::string_view word = next();
+      const std::string keyword = lower_case(word);
+      if (keyword == "endsolid") break;
+      if (keyword != "facet") fail_expecting("facet' or 'endsolid", word);
+      read_facet();
+    }
+    words_ = WordReader("");
+  }
+
+  void read_facet() {
+    context_.tick(lines_.position());
+    expect("normal");
+    for (int k = 0; k < 3; ++k) number();
+    expect("outer");
+    expect("loop");
+    corners_.clear();
+    std::string_view word = next();
+    for (; lower_case(word) == "vertex"; word = next()) {
+      Vec3 point;
+      for (double& x : point) x = number();
+      if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_line(lines_.line_number()));
+      corners_.push_back(joiner_.add(point, mesh_.positions));
+    }
+    if (lower_case(word) != "endloop") fail_expecting("vertex' or 'endloop", word);
+    expect("endfacet");
+    if (corners_.size() < 3) {
+      context_.too_few_corners(mesh_.face_count(), corners_.size(), at_line(lines_.line_number()));
+    }
+    if (corners_.size() > 3) {
+      context_.error("E_COUNT",
+                     "facet " + std::to_string(mesh_.face_count()) + " has " + std::to_string(corners_.size()) +
+                         " corners, and STL knows triangles only",
+                     at_line(lines_.line_number()), face_subject(mesh_.face_count()));
+    }
+    objects_.face_added(mesh_.face_count());
+    mesh_.add_face(corners_);
+  }
 
   LineReader lines_;
   WordReader words_;
@@ -130,78 +190,6 @@ class TextStlReader {
   CategoryState objects_{"object"};
   std::vector<Index> corners_;
 };
-
-// The next word of the file, whichever line it is on.
-std::string_view TextStlReader::next() {
-  std::string_view word = words_.next();
-  TextLine line;
-  while (word.empty() && lines_.next(line)) {
-    words_ = WordReader(line.text);
-    word = words_.next();
-  }
-  return word;
-}
-
-void TextStlReader::fail_expecting(const std::string& keyword, std::string_view word) {
-  const Place place = at_line(lines_.line_number());
-  if (word.empty()) context_.fail("E_TRUNCATED", "the file ends where '" + keyword + "' must follow", place);
-  context_.fail("E_SYNTAX", in_quotes(word) + " stands where '" + keyword + "' must follow", place);
-}
-
-void TextStlReader::expect(const char* keyword) {
-  const std::string_view word = next();
-  if (word != keyword && lower_case(word) != keyword) fail_expecting(keyword, word);
-}
-
-double TextStlReader::number() {
-  const std::string_view word = next();
-  double value = 0;
-  if (word.empty() || !parse_number(word, value)) fail_expecting("a number", word);
-  return value;
-}
-
-void TextStlReader::read_solid() {
-  const std::string_view name = words_.rest();
-  name.empty() ? objects_.clear() : objects_.set(name);
-  words_ = WordReader("");
-  while (true) {
-    const std::string_view word = next();
-    const std::string keyword = lower_case(word);
-    if (keyword == "endsolid") break;
-    if (keyword != "facet") fail_expecting("facet' or 'endsolid", word);
-    read_facet();
-  }
-  words_ = WordReader("");
-}
-
-void TextStlReader::read_facet() {
-  context_.tick(lines_.position());
-  expect("normal");
-  for (int k = 0; k < 3; ++k) number();
-  expect("outer");
-  expect("loop");
-  corners_.clear();
-  std::string_view word = next();
-  for (; lower_case(word) == "vertex"; word = next()) {
-    Vec3 point;
-    for (double& x : point) x = number();
-    if (!are_usable_numbers(point)) context_.not_finite(mesh_.vertex_count(), at_line(lines_.line_number()));
-    corners_.push_back(joiner_.add(point, mesh_.positions));
-  }
-  if (lower_case(word) != "endloop") fail_expecting("vertex' or 'endloop", word);
-  expect("endfacet");
-  if (corners_.size() < 3) {
-    context_.too_few_corners(mesh_.face_count(), corners_.size(), at_line(lines_.line_number()));
-  }
-  if (corners_.size() > 3) {
-    context_.error("E_COUNT",
-                   "facet " + std::to_string(mesh_.face_count()) + " has " + std::to_string(corners_.size()) +
-                       " corners, and STL knows triangles only",
-                   at_line(lines_.line_number()), face_subject(mesh_.face_count()));
-  }
-  objects_.face_added(mesh_.face_count());
-  mesh_.add_face(corners_);
-}
 
 }  // namespace
 

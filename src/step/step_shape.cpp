@@ -17,8 +17,6 @@
 #include <limits>
 #include <optional>
 
-#include "step/step_geometry.h"
-
 namespace croquis {
 namespace {
 

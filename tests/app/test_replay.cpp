@@ -39,7 +39,7 @@ TEST_CASE("the window plays every tool's steps, and counts and measures all that
     for (const recorded::StepKind* kind : tool->steps()) played.insert(kind);
   }
   // Clicks and boxes are general, and for the tools to do.
-  wanted.insert({&recorded::Click::step_kind(), &recorded::Box::step_kind()});
+  wanted.insert({&recorded::step_kind<recorded::Click>(), &recorded::step_kind<recorded::Box>()});
   CHECK(played == wanted);
   const app::Expectations all = app::expectations_of(hand.window());
   CHECK(names_in(all.counts) == as_set(recorded::all_steps().counts()));

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include <Eigen/LU>
 
-#include "croquis/base/limits.h"
 #include "croquis/geometry/camera.h"
-#include "document/values/value_row.h"
-#include "document/values/vector_bytes.h"
+#include "document/values/member_bytes.h"
 
 namespace croquis {
 namespace {
@@ -26,42 +23,36 @@ void require_camera(const Camera& camera) {
 
 bool is_placed(const Camera& camera) { return camera.image_origin != Vec2::Zero(); }
 
-/// A pinhole camera.
+/// A pinhole camera. Files hold its rotation row by row, and the corner of its picture where it isn't the origin.
 struct CameraValue {
   using Content = Camera;
   static constexpr const char* name = "camera";
   static constexpr std::uint64_t tag = 3;
 
   static void add_content(const Camera& camera, ContentHasher& hasher) {
-    hasher.add(camera.focal_length);
-    hash_numbers(camera.principal_point, hasher);
-    hash_numbers(camera.eye, hasher);
-    hash_numbers(camera.rotation, hasher);
-    hash_numbers(camera.image_size, hasher);
-    if (is_placed(camera)) hash_numbers(camera.image_origin, hasher);
+    hash_member(std::tie(camera.focal_length, camera.principal_point, camera.eye, camera.rotation, camera.image_size),
+                hasher);
+    if (is_placed(camera)) hash_member(camera.image_origin, hasher);
   }
 
   static std::size_t byte_size(const Camera&) { return sizeof(Camera); }
 
   static void store(const Camera& camera, ByteWriter& writer) {
     writer.number(is_placed(camera) ? placed_camera_layout : camera_layout);
-    writer.number(camera.focal_length);
-    write_numbers(camera.principal_point, writer);
-    write_numbers(camera.eye, writer);
-    write_numbers(camera.rotation.transpose(), writer);
-    write_numbers(camera.image_size, writer);
-    if (is_placed(camera)) write_numbers(camera.image_origin, writer);
+    const Eigen::Matrix3d rows = camera.rotation.transpose();
+    store_member(std::tie(camera.focal_length, camera.principal_point, camera.eye, rows, camera.image_size), writer);
+    if (is_placed(camera)) store_member(camera.image_origin, writer);
   }
 
   static Camera load(ByteReader& reader) {
     const std::uint32_t layout = read_layout(reader, placed_camera_layout);
     Camera camera;
     camera.focal_length = reader.number<double>();
-    camera.principal_point = read_usable<Vec2>(reader);
-    camera.eye = read_usable<Vec3>(reader);
-    camera.rotation = read_usable<Eigen::Matrix3d>(reader).transpose().eval();
-    camera.image_size = read_usable<Vec2>(reader);
-    if (layout == placed_camera_layout) camera.image_origin = read_usable<Vec2>(reader);
+    camera.principal_point = load_member<Vec2>(reader);
+    camera.eye = load_member<Vec3>(reader);
+    camera.rotation = load_member<Eigen::Matrix3d>(reader).transpose().eval();
+    camera.image_size = load_member<Vec2>(reader);
+    if (layout == placed_camera_layout) camera.image_origin = load_member<Vec2>(reader);
     require_camera(camera);
     return camera;
   }

@@ -1,53 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/geometry/picture_file.h"
-#include "document/values/value_row.h"
+#include "document/values/member_bytes.h"
 
 namespace croquis {
-namespace {
 
-constexpr std::uint32_t picture_layout = 1;
+inline auto members(const PictureFile& picture) {
+  return std::tie(picture.file, picture.width, picture.height, picture.bytes);
+}
+static_assert(lists_every_member<PictureFile>);
 
-std::int32_t read_side(ByteReader& reader) {
-  const auto pixels = reader.number<std::int32_t>();
-  if (pixels < 1) throw BadBytes("a picture has no pixels");
-  return pixels;
+inline void require_valid(const PictureFile& picture) {
+  if (picture.width < 1 || picture.height < 1) throw BadBytes("a picture has no pixels");
+  if (picture.bytes.empty()) throw BadBytes("a picture has no bytes");
 }
 
+namespace {
+
 /// A picture's file, which has no place in space.
-struct PictureFileValue {
-  using Content = PictureFile;
+struct PictureFileValue : ListedValue<PictureFile> {
   static constexpr const char* name = "picture";
   static constexpr std::uint64_t tag = 8;
-
-  static void add_content(const PictureFile& picture, ContentHasher& hasher) {
-    hasher.add(picture.file);
-    hasher.add(picture.width);
-    hasher.add(picture.height);
-    hasher.add(picture.bytes);
-  }
-
-  static std::size_t byte_size(const PictureFile& picture) {
-    return sizeof(PictureFile) + picture.bytes.capacity() + picture.file.capacity();
-  }
-
-  static void store(const PictureFile& picture, ByteWriter& writer) {
-    writer.number(picture_layout);
-    writer.text(picture.file);
-    writer.number(static_cast<std::int32_t>(picture.width));
-    writer.number(static_cast<std::int32_t>(picture.height));
-    writer.text(picture.bytes);
-  }
-
-  static PictureFile load(ByteReader& reader) {
-    read_layout(reader, picture_layout);
-    PictureFile picture;
-    picture.file = reader.text();
-    picture.width = read_side(reader);
-    picture.height = read_side(reader);
-    picture.bytes = reader.text();
-    if (picture.bytes.empty()) throw BadBytes("a picture has no bytes");
-    return picture;
-  }
 };
 
 }  // namespace

@@ -1,50 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <type_traits>
+#include <algorithm>
 #include <variant>
 
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
-#include "document/content_size.h"
-#include "document/values/value_row.h"
+#include "croquis/base/report.h"
+#include "document/values/member_bytes.h"
 
 namespace croquis {
+
+inline auto members(const Report& report) { return std::tie(report.value()); }
+
 namespace {
 
-constexpr std::uint32_t report_layout = 1;
-
-/// Deeper trees would need a deep call stack to be read. Ours have fewer than ten levels.
-
-void write_tree(const Report& report, int depth, ByteWriter& writer);
-
-struct TreeWriter {
-  int depth;
-  ByteWriter& writer;
-  void operator()(std::monostate) const {}
-  void operator()(bool value) const { writer.flag(value); }
-  void operator()(std::int64_t value) const { writer.number(value); }
-  void operator()(double value) const { writer.number(value); }
-  void operator()(const std::string& value) const { writer.text(value); }
-  void operator()(const Report::Array& array) const {
-    writer.count(array.size());
-    for (const Report& element : array) write_tree(element, depth + 1, writer);
-  }
-  void operator()(const Report::Object& object) const {
-    writer.count(object.size());
-    for (const auto& [key, member] : object) {
-      writer.text(key);
-      write_tree(member, depth + 1, writer);
-    }
-  }
-};
-
-void write_tree(const Report& report, int depth, ByteWriter& writer) {
-  if (depth > deepest_nesting) {
-    throw Error(make_error(Category::Limit, "E_LIMIT",
-                           "A report is nested deeper than " + std::to_string(deepest_nesting) +
-                               " levels, more than a project file can hold; remove that node."));
-  }
-  writer.number(static_cast<std::uint8_t>(report.value().index()));
-  std::visit(TreeWriter{depth, writer}, report.value());
+bool is_deeper_than(const Report& report, int levels) {
+  if (levels < 0) return true;
+  const auto* array = std::get_if<Report::Array>(&report.value());
+  const auto* object = std::get_if<Report::Object>(&report.value());
+  return (array != nullptr &&
+          std::ranges::any_of(*array, [&](const Report& element) { return is_deeper_than(element, levels - 1); })) ||
+         (object != nullptr &&
+          std::ranges::any_of(*object, [&](const auto& member) { return is_deeper_than(member.second, levels - 1); }));
 }
 
 Report read_tree(ByteReader& reader, int depth);
@@ -79,55 +55,22 @@ Report read_tree(ByteReader& reader, int depth) {
   }
 }
 
-void hash_tree(const Report& report, ContentHasher& hasher) {
-  hasher.add(report.value().index());
-  std::visit(
-      [&](const auto& value) {
-        using Kind = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Kind, Report::Array>) {
-          hasher.add(value.size());
-          for (const Report& element : value) hash_tree(element, hasher);
-        } else if constexpr (std::is_same_v<Kind, Report::Object>) {
-          hasher.add(value.size());
-          for (const auto& [key, member] : value) {
-            hasher.add(key);
-            hash_tree(member, hasher);
-          }
-        } else if constexpr (!std::is_same_v<Kind, std::monostate>) {
-          hasher.add(value);
-        }
-      },
-      report.value());
-}
-
-std::size_t tree_size(const Report& report) {
-  std::size_t bytes = sizeof(Report);
-  if (const auto* text = std::get_if<std::string>(&report.value())) bytes += text->capacity();
-  if (const auto* array = std::get_if<Report::Array>(&report.value())) {
-    for (const Report& element : *array) bytes += tree_size(element);
-  }
-  if (const auto* object = std::get_if<Report::Object>(&report.value())) {
-    for (const auto& [key, member] : *object) bytes += size_of(key) + tree_size(member);
-  }
-  return bytes;
-}
-
 /// Figures as a tree, which has no place in space.
-struct ReportValue {
-  using Content = Report;
+struct ReportValue : ListedValue<Report> {
   static constexpr const char* name = "report";
   static constexpr std::uint64_t tag = 2;
 
-  static void add_content(const Report& report, ContentHasher& hasher) { hash_tree(report, hasher); }
-  static std::size_t byte_size(const Report& report) { return tree_size(report); }
-
   static void store(const Report& report, ByteWriter& writer) {
-    writer.number(report_layout);
-    write_tree(report, 0, writer);
+    if (is_deeper_than(report, deepest_nesting)) {
+      throw Error(make_error(Category::Limit, "E_LIMIT",
+                             "A report is nested deeper than " + std::to_string(deepest_nesting) +
+                                 " levels, more than a project file can hold; remove that node."));
+    }
+    ListedValue::store(report, writer);
   }
 
   static Report load(ByteReader& reader) {
-    read_layout(reader, report_layout);
+    read_layout(reader, layout);
     return read_tree(reader, 0);
   }
 };

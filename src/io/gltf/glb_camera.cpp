@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/gltf/glb_camera.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <tiny_gltf.h>
+
+#include "io/gltf/glb_writing.h"
 
 namespace croquis {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/gltf/glb_channels.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "io/channel_values.h"
+#include "io/gltf/glb_reading.h"
 
 namespace croquis {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/gltf/glb_objects.h"
-
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include "croquis/geometry/smooth_surface.h"
 #include "croquis/geometry/surface_normals.h"
 #include "io/channel_values.h"
+#include "io/gltf/glb_writing.h"
 
 namespace croquis {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/gltf/gltf_accessor.h"
-
 #include <algorithm>
 #include <array>
 
+#include "io/gltf/glb_reading.h"
 #include "io/little_endian.h"
 
 namespace croquis {

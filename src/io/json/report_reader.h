@@ -2,8 +2,12 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
@@ -15,6 +19,11 @@ namespace croquis {
 template <typename T>
 const T* report_as(const Report* report) {
   return report == nullptr ? nullptr : std::get_if<T>(&report->value());
+}
+
+/// The member of an object; null where there is none, and of what is no object.
+inline const Report* member_of(const Report& object, std::string_view key) {
+  return report_as<Report::Object>(&object) == nullptr ? nullptr : object.find(key);
 }
 
 inline bool is_number(const Report* report) {
@@ -40,5 +49,33 @@ std::optional<std::array<double, N>> numbers_of(const Report* report) {
   }
   return result;
 }
+
+/// What is wrong with a report, and the members that its format doesn't have: at most a hundred of each.
+class ReportNotes {
+ public:
+  /// @param who what sentences call the report  @param subjects of all findings
+  ReportNotes(std::string who, const char* format, std::vector<Subject> subjects = {})
+      : who_(std::move(who)), format_(format), subjects_(std::move(subjects)) {}
+
+  void add(Finding error);
+  std::size_t error_count() const { return errors_.size(); }
+
+  /// @param place such as edges[3].v, empty for the whole report
+  void refuse(const char* code, const std::string& place, const std::string& what);
+
+  /// @param what people call objects with these members
+  void note_unknown(const Report& object, const char* what, std::initializer_list<std::string_view> known);
+
+  /// W_IGNORED for each name of a member that was passed over.
+  /// @throws Error with all that is wrong, if anything is
+  Findings finish();
+
+ private:
+  std::string who_;
+  const char* format_;
+  std::vector<Subject> subjects_;
+  Findings errors_;
+  std::map<std::string, std::size_t> ignored_;
+};
 
 }  // namespace croquis

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/io/surface_places_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <initializer_list>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,11 +17,12 @@ namespace croquis {
 namespace {
 
 constexpr const char* places_format = "croquis-abs-places/1";
-constexpr std::size_t most_place_findings = 100;
 
 /// Reads one report, noting all that is wrong with it.
-class SurfacePlacesReader {
+class SurfacePlacesReader : ReportNotes {
  public:
+  SurfacePlacesReader() : ReportNotes("Places", places_format) {}
+
   SurfacePlacesReadResult read(const Report& report) {
     const auto* format =
         report_as<Report::Object>(&report) == nullptr ? nullptr : report_as<std::string>(report.find("format"));
@@ -34,29 +32,11 @@ class SurfacePlacesReader {
       note_unknown(report, "the list", {"format", "places"});
       read_list(report.find("places"));
     }
-    if (!errors_.empty()) throw Error(std::move(errors_));
-    for (const auto& [name, count] : ignored_) {
-      result_.warnings.push_back(make_warning(Category::Malformed, "W_IGNORED",
-                                              "Places: " + std::to_string(count) + " " + name +
-                                                  " were passed over: " + places_format + " has no such member."));
-    }
+    result_.warnings = finish();
     return std::move(result_);
   }
 
  private:
-  void refuse(const char* code, const std::string& place, const std::string& what) {
-    if (errors_.size() >= most_place_findings) return;
-    const std::string where = place.empty() ? "Places: " : "Places, " + place + ": ";
-    errors_.push_back(make_error(Category::Malformed, code, where + what + "."));
-  }
-
-  void note_unknown(const Report& report, const char* what, std::initializer_list<std::string_view> known) {
-    for (const auto& [key, value] : report.as_object()) {
-      const bool is_known = std::ranges::find(known, std::string_view(key)) != known.end();
-      if (!is_known && ignored_.size() < most_place_findings) ++ignored_[in_quotes(key) + " of " + what];
-    }
-  }
-
   void read_list(const Report* member) {
     const auto* list = report_as<Report::Array>(member);
     if (list == nullptr) return refuse("E_SYNTAX", "", "places is not a list");
@@ -97,8 +77,6 @@ class SurfacePlacesReader {
   }
 
   SurfacePlacesReadResult result_;
-  Findings errors_;
-  std::map<std::string, std::size_t> ignored_;
 };
 
 }  // namespace

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/obj/obj_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "croquis/base/limits.h"
+#include "croquis/geometry/poly_mesh.h"
 #include "io/channel_values.h"
-#include "io/obj/category_state.h"
-#include "io/obj/obj_corner_table.h"
+#include "io/mesh_formats.h"
 #include "io/obj/obj_tags.h"
 #include "io/text.h"
 
@@ -27,6 +26,64 @@ const char* what_is_lost(std::string_view keyword) {
   if (keyword == "mtllib") return "the material library is not read, material names are kept";
   if (keyword == "p") return "points as elements are not read";
   return "they say nothing that a mesh holds";
+}
+
+/// A table of OBJ's (`vt`, `vn`) and which of its entries each corner uses.
+class ObjCornerTable {
+ public:
+  ObjCornerTable(const char* name, int least_width) : name_(name), width_(least_width) {}
+
+  std::size_t size() const { return values_.size() / 3; }
+  void add(const double (&values)[3], int given);
+
+  /// @param entry index into the table, or no_index
+  void corner_added(Index entry, std::size_t corners_before);
+
+  /// Some corner uses an entry.
+  bool used() const { return !entries_.empty(); }
+
+  /// Appends the channel: on vertices where every corner uses the entry of its vertex' own number, else on corners.
+  void finish(PolyMesh& mesh);
+
+ private:
+  bool follows_vertices(const PolyMesh& mesh) const;
+
+  const char* name_;
+  int width_;
+  std::vector<double> values_;  // three per entry
+  std::vector<Index> entries_;  // per corner, empty until one is used
+};
+
+void ObjCornerTable::add(const double (&values)[3], int given) {
+  values_.insert(values_.end(), values, values + 3);
+  width_ = std::max(width_, given);
+}
+
+void ObjCornerTable::corner_added(Index entry, std::size_t corners_before) {
+  if (entry == no_index && entries_.empty()) return;
+  entries_.resize(corners_before, no_index);
+  entries_.push_back(entry);
+}
+
+bool ObjCornerTable::follows_vertices(const PolyMesh& mesh) const {
+  return size() == mesh.vertex_count() && entries_ == mesh.corners;
+}
+
+void ObjCornerTable::finish(PolyMesh& mesh) {
+  const bool on_vertices = follows_vertices(mesh);
+  if (size() == 0 || !(used() || on_vertices)) return;
+  const auto width = static_cast<std::size_t>(width_);
+  const std::size_t count = on_vertices ? size() : mesh.corners.size();
+  entries_.resize(mesh.corners.size(), no_index);
+  std::vector<double> values(count * width, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t entry = on_vertices ? i : entries_[i];
+    if (entry == no_index) continue;
+    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(3 * entry), width,
+                values.begin() + static_cast<std::ptrdiff_t>(i * width));
+  }
+  mesh.channels.push_back(
+      make_channel(name_, on_vertices ? Domain::Vertex : Domain::Corner, width_, std::move(values)));
 }
 
 // Joins lines that end with a backslash; copies only those.
@@ -101,22 +158,206 @@ class ObjReader {
     int kind;
   };
 
-  void handle(std::string_view keyword, WordReader& words);
-  void read_vertex(WordReader& words);
-  void read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what);
-  int read_numbers(WordReader& words, std::span<double> values);
-  void add_colour(const double* values, int width);
-  void read_face(WordReader& words);
-  void read_line(WordReader& words);
-  bool read_references(WordReader& words);
-  Index resolve(std::int64_t value, std::size_t count, int kind);
-  void read_smoothing(WordReader& words);
-  void read_tag(WordReader& words);
-  void pass_over(std::string_view keyword);
-  void note_passed_over(std::string_view keyword);
-  void report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind);
-  void finish();
-  void finish_colours();
+  void handle(std::string_view keyword, WordReader& words) {
+    if (keyword == "v") return read_vertex(words);
+    if (keyword == "f" || keyword == "fo") return read_face(words);
+    if (keyword == "vn") return read_table_entry(normals_, words, 3, "normal");
+    if (keyword == "vt") return read_table_entry(uvs_, words, 1, "texture coordinate");
+    if (keyword == "l") return read_line(words);
+    if (keyword == "s") return read_smoothing(words);
+    if (keyword == "t") return read_tag(words);
+    if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
+      CategoryState& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
+      const std::string_view name = words.rest();
+      return category.set(name.empty() ? "default" : name);
+    }
+    pass_over(keyword);
+  }
+
+  void read_vertex(WordReader& words) {
+    std::array<double, 7> values{};
+    const int count = read_numbers(words, values);
+    mesh_.positions.emplace_back(values[0], values[1], values[2]);  // even after an error, to keep the numbering
+    if (count < 0) return;
+    const std::size_t vertex = mesh_.vertex_count() - 1;
+    if (count < 3 || count == 5) {
+      return context_.error("E_SYNTAX",
+                            "a vertex has 3 coordinates (and 3 or 4 colour values), not " + std::to_string(count),
+                            at_line(line_), vertex_subject(vertex));
+    }
+    if (!are_usable_numbers(mesh_.positions.back())) context_.not_finite(vertex, at_line(line_));
+    if (count == 4 && values[3] != 1) ++weights_;
+    if (count >= 6) add_colour(values.data() + 3, count - 3);
+  }
+
+  void read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what) {
+    double values[3] = {};
+    const int count = read_numbers(words, values);
+    table.add(values, count);
+    if (count >= 0 && count < least) {
+      context_.error("E_SYNTAX", std::string("a ") + what + " has too few numbers", at_line(line_));
+    }
+  }
+
+  // The number of values read, or -1 after an error.
+  int read_numbers(WordReader& words, std::span<double> values) {
+    int count = 0;
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      if (static_cast<std::size_t>(count) == values.size()) {
+        context_.error("E_SYNTAX", "there are more than " + std::to_string(count) + " numbers", at_line(line_));
+        return -1;
+      }
+      if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
+        context_.error("E_SYNTAX", in_quotes(word) + " is not a number", at_line(line_));
+        return -1;
+      }
+      ++count;
+    }
+    return count;
+  }
+
+  void add_colour(const double* values, int width) {
+    colours_.resize(4 * (mesh_.vertex_count() - 1), std::numeric_limits<double>::quiet_NaN());
+    colours_.insert(colours_.end(), values, values + 3);
+    colours_.push_back(width == 4 ? values[3] : 1);
+    colour_width_ = std::max(colour_width_, width);
+  }
+
+  void read_face(WordReader& words) {
+    face_ = faces_met_++;
+    if (!read_references(words)) return;
+    const std::size_t corners_before = mesh_.corners.size();
+    if (references_.size() < 3) context_.too_few_corners(face_, references_.size(), at_line(line_));
+    vertices_.clear();
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      const Reference& r = references_[i];
+      vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
+      uvs_.corner_added(r.uv == absent ? no_index : resolve(r.uv, uvs_.size(), 1), corners_before + i);
+      normals_.corner_added(r.normal == absent ? no_index : resolve(r.normal, normals_.size(), 2), corners_before + i);
+    }
+    const std::size_t face = mesh_.face_count();
+    for (CategoryState* category : {&groups_, &objects_, &materials_}) category->face_added(face);
+    if (smoothing_named_) {
+      smoothing_.resize(face, 0);
+      smoothing_.push_back(smoothing_group_);
+    }
+    mesh_.add_face(vertices_);
+  }
+
+  void read_line(WordReader& words) {
+    face_ = no_face;
+    if (!read_references(words)) return;
+    if (references_.size() < 2) {
+      return context_.error("E_SYNTAX", "a polyline needs at least 2 vertices", at_line(line_));
+    }
+    vertices_.clear();
+    for (const Reference& r : references_) vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
+    for (CategoryState* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
+    mesh_.add_line(vertices_);
+  }
+
+  bool read_references(WordReader& words) {
+    references_.clear();
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      Reference reference;
+      if (!parse_reference(word, reference)) {
+        context_.error("E_SYNTAX", in_quotes(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
+        return false;
+      }
+      references_.push_back(reference);
+    }
+    return true;
+  }
+
+  Index resolve(std::int64_t value, std::size_t count, int kind) {
+    const auto known = static_cast<std::int64_t>(count);
+    if (value < 0 && value >= -known) return static_cast<Index>(known + value);
+    if (value <= 0 || value >= no_index) {
+      report_index(line_, face_, value, kind);
+      return 0;
+    }
+    if (value > known) forward_.push_back({line_, value, face_, kind});
+    return static_cast<Index>(value - 1);
+  }
+
+  void read_smoothing(WordReader& words) {
+    const std::string_view word = words.next();
+    smoothing_group_ = 0;
+    if (word != "off" && !parse_number(word, smoothing_group_)) {
+      context_.error("E_SYNTAX", in_quotes(word) + " is not the number of a smoothing group", at_line(line_));
+    }
+    smoothing_named_ = true;
+  }
+
+  void read_tag(WordReader& words) {
+    const std::string_view other = tags_.read(words, line_, context_);
+    if (!other.empty()) note_passed_over("t " + std::string(other));
+  }
+
+  void pass_over(std::string_view keyword) {
+    if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
+      return context_.error("E_SYNTAX", "the statement " + in_quotes(keyword) + " does not exist in OBJ",
+                            at_line(line_));
+    }
+    note_passed_over(keyword);
+  }
+
+  void note_passed_over(std::string_view keyword) {
+    auto entry = passed_.find(keyword);
+    if (entry == passed_.end()) entry = passed_.emplace(keyword, std::pair{std::size_t{0}, line_}).first;
+    ++entry->second.first;
+  }
+
+  void report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind) {
+    static constexpr std::array names = {"vertex", "texture coordinate", "normal"};
+    const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+    const auto k = static_cast<std::size_t>(kind);
+    const std::string why = value == 0  ? "but OBJ counts from 1"
+                            : value < 0 ? "but only " + std::to_string(counts[k]) + " stand before it"
+                                        : "but the file has " + std::to_string(counts[k]);
+    context_.error("E_INDEX",
+                   "the element uses " + std::string(names[k]) + " number " + std::to_string(value) + ", " + why,
+                   at_line(line), face == no_face ? std::vector<Subject>{} : face_subject(face));
+  }
+
+  void finish() {
+    const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+    for (const Forward& f : forward_) {
+      if (f.value > static_cast<std::int64_t>(counts[static_cast<std::size_t>(f.kind)])) {
+        report_index(f.line, f.face, f.value, f.kind);
+      }
+    }
+    tags_.finish(mesh_, context_);
+    if (context_.has_errors()) return;
+    finish_colours();
+    uvs_.finish(mesh_);
+    normals_.finish(mesh_);
+    for (CategoryState* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
+    if (!smoothing_.empty()) {
+      mesh_.channels.push_back(make_channel("smoothing_group", Domain::Face, 1, std::move(smoothing_)));
+    }
+    for (const auto& [keyword, met] : passed_) {
+      context_.warn("W_IGNORED",
+                    std::to_string(met.first) + " " + in_quotes(keyword) +
+                        " statements were passed over: " + what_is_lost(keyword),
+                    at_line(met.second));
+    }
+    if (weights_ > 0) {
+      context_.warn("W_IGNORED", "the weights of " + std::to_string(weights_) + " vertices were passed over", {});
+    }
+  }
+
+  void finish_colours() {
+    if (colours_.empty()) return;
+    colours_.resize(4 * mesh_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values;
+    values.reserve(mesh_.vertex_count() * static_cast<std::size_t>(colour_width_));
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      const auto first = colours_.begin() + static_cast<std::ptrdiff_t>(4 * v);
+      values.insert(values.end(), first, first + colour_width_);
+    }
+    mesh_.channels.push_back(make_channel("color", Domain::Vertex, colour_width_, std::move(values)));
+  }
 
   StatementReader statements_;
   ReadContext& context_;
@@ -138,206 +379,6 @@ class ObjReader {
   std::size_t weights_ = 0;
   std::map<std::string, std::pair<std::size_t, std::int64_t>, std::less<>> passed_;  // count and first line
 };
-
-void ObjReader::handle(std::string_view keyword, WordReader& words) {
-  if (keyword == "v") return read_vertex(words);
-  if (keyword == "f" || keyword == "fo") return read_face(words);
-  if (keyword == "vn") return read_table_entry(normals_, words, 3, "normal");
-  if (keyword == "vt") return read_table_entry(uvs_, words, 1, "texture coordinate");
-  if (keyword == "l") return read_line(words);
-  if (keyword == "s") return read_smoothing(words);
-  if (keyword == "t") return read_tag(words);
-  if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
-    CategoryState& category = keyword == "g" ? groups_ : keyword == "o" ? objects_ : materials_;
-    const std::string_view name = words.rest();
-    return category.set(name.empty() ? "default" : name);
-  }
-  pass_over(keyword);
-}
-
-void ObjReader::pass_over(std::string_view keyword) {
-  if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
-    return context_.error("E_SYNTAX", "the statement " + in_quotes(keyword) + " does not exist in OBJ", at_line(line_));
-  }
-  note_passed_over(keyword);
-}
-
-void ObjReader::read_tag(WordReader& words) {
-  const std::string_view other = tags_.read(words, line_, context_);
-  if (!other.empty()) note_passed_over("t " + std::string(other));
-}
-
-void ObjReader::note_passed_over(std::string_view keyword) {
-  auto entry = passed_.find(keyword);
-  if (entry == passed_.end()) entry = passed_.emplace(keyword, std::pair{std::size_t{0}, line_}).first;
-  ++entry->second.first;
-}
-
-// The number of values read, or -1 after an error.
-int ObjReader::read_numbers(WordReader& words, std::span<double> values) {
-  int count = 0;
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (static_cast<std::size_t>(count) == values.size()) {
-      context_.error("E_SYNTAX", "there are more than " + std::to_string(count) + " numbers", at_line(line_));
-      return -1;
-    }
-    if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
-      context_.error("E_SYNTAX", in_quotes(word) + " is not a number", at_line(line_));
-      return -1;
-    }
-    ++count;
-  }
-  return count;
-}
-
-void ObjReader::read_vertex(WordReader& words) {
-  std::array<double, 7> values{};
-  const int count = read_numbers(words, values);
-  mesh_.positions.emplace_back(values[0], values[1], values[2]);  // even after an error, to keep the numbering
-  if (count < 0) return;
-  const std::size_t vertex = mesh_.vertex_count() - 1;
-  if (count < 3 || count == 5) {
-    return context_.error("E_SYNTAX",
-                          "a vertex has 3 coordinates (and 3 or 4 colour values), not " + std::to_string(count),
-                          at_line(line_), vertex_subject(vertex));
-  }
-  if (!are_usable_numbers(mesh_.positions.back())) context_.not_finite(vertex, at_line(line_));
-  if (count == 4 && values[3] != 1) ++weights_;
-  if (count >= 6) add_colour(values.data() + 3, count - 3);
-}
-
-void ObjReader::add_colour(const double* values, int width) {
-  colours_.resize(4 * (mesh_.vertex_count() - 1), std::numeric_limits<double>::quiet_NaN());
-  colours_.insert(colours_.end(), values, values + 3);
-  colours_.push_back(width == 4 ? values[3] : 1);
-  colour_width_ = std::max(colour_width_, width);
-}
-
-void ObjReader::read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what) {
-  double values[3] = {};
-  const int count = read_numbers(words, values);
-  table.add(values, count);
-  if (count >= 0 && count < least) {
-    context_.error("E_SYNTAX", std::string("a ") + what + " has too few numbers", at_line(line_));
-  }
-}
-
-bool ObjReader::read_references(WordReader& words) {
-  references_.clear();
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    Reference reference;
-    if (!parse_reference(word, reference)) {
-      context_.error("E_SYNTAX", in_quotes(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
-      return false;
-    }
-    references_.push_back(reference);
-  }
-  return true;
-}
-
-Index ObjReader::resolve(std::int64_t value, std::size_t count, int kind) {
-  const auto known = static_cast<std::int64_t>(count);
-  if (value < 0 && value >= -known) return static_cast<Index>(known + value);
-  if (value <= 0 || value >= no_index) {
-    report_index(line_, face_, value, kind);
-    return 0;
-  }
-  if (value > known) forward_.push_back({line_, value, face_, kind});
-  return static_cast<Index>(value - 1);
-}
-
-void ObjReader::report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind) {
-  static constexpr std::array names = {"vertex", "texture coordinate", "normal"};
-  const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
-  const auto k = static_cast<std::size_t>(kind);
-  const std::string why = value == 0  ? "but OBJ counts from 1"
-                          : value < 0 ? "but only " + std::to_string(counts[k]) + " stand before it"
-                                      : "but the file has " + std::to_string(counts[k]);
-  context_.error("E_INDEX",
-                 "the element uses " + std::string(names[k]) + " number " + std::to_string(value) + ", " + why,
-                 at_line(line), face == no_face ? std::vector<Subject>{} : face_subject(face));
-}
-
-void ObjReader::read_face(WordReader& words) {
-  face_ = faces_met_++;
-  if (!read_references(words)) return;
-  const std::size_t corners_before = mesh_.corners.size();
-  if (references_.size() < 3) context_.too_few_corners(face_, references_.size(), at_line(line_));
-  vertices_.clear();
-  for (std::size_t i = 0; i < references_.size(); ++i) {
-    const Reference& r = references_[i];
-    vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
-    uvs_.corner_added(r.uv == absent ? no_index : resolve(r.uv, uvs_.size(), 1), corners_before + i);
-    normals_.corner_added(r.normal == absent ? no_index : resolve(r.normal, normals_.size(), 2), corners_before + i);
-  }
-  const std::size_t face = mesh_.face_count();
-  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->face_added(face);
-  if (smoothing_named_) {
-    smoothing_.resize(face, 0);
-    smoothing_.push_back(smoothing_group_);
-  }
-  mesh_.add_face(vertices_);
-}
-
-void ObjReader::read_line(WordReader& words) {
-  face_ = no_face;
-  if (!read_references(words)) return;
-  if (references_.size() < 2) {
-    return context_.error("E_SYNTAX", "a polyline needs at least 2 vertices", at_line(line_));
-  }
-  vertices_.clear();
-  for (const Reference& r : references_) vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
-  for (CategoryState* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
-  mesh_.add_line(vertices_);
-}
-
-void ObjReader::read_smoothing(WordReader& words) {
-  const std::string_view word = words.next();
-  smoothing_group_ = 0;
-  if (word != "off" && !parse_number(word, smoothing_group_)) {
-    context_.error("E_SYNTAX", in_quotes(word) + " is not the number of a smoothing group", at_line(line_));
-  }
-  smoothing_named_ = true;
-}
-
-void ObjReader::finish_colours() {
-  if (colours_.empty()) return;
-  colours_.resize(4 * mesh_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
-  std::vector<double> values;
-  values.reserve(mesh_.vertex_count() * static_cast<std::size_t>(colour_width_));
-  for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-    const auto first = colours_.begin() + static_cast<std::ptrdiff_t>(4 * v);
-    values.insert(values.end(), first, first + colour_width_);
-  }
-  mesh_.channels.push_back(make_channel("color", Domain::Vertex, colour_width_, std::move(values)));
-}
-
-void ObjReader::finish() {
-  const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
-  for (const Forward& f : forward_) {
-    if (f.value > static_cast<std::int64_t>(counts[static_cast<std::size_t>(f.kind)])) {
-      report_index(f.line, f.face, f.value, f.kind);
-    }
-  }
-  tags_.finish(mesh_, context_);
-  if (context_.has_errors()) return;
-  finish_colours();
-  uvs_.finish(mesh_);
-  normals_.finish(mesh_);
-  for (CategoryState* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
-  if (!smoothing_.empty()) {
-    mesh_.channels.push_back(make_channel("smoothing_group", Domain::Face, 1, std::move(smoothing_)));
-  }
-  for (const auto& [keyword, met] : passed_) {
-    context_.warn(
-        "W_IGNORED",
-        std::to_string(met.first) + " " + in_quotes(keyword) + " statements were passed over: " + what_is_lost(keyword),
-        at_line(met.second));
-  }
-  if (weights_ > 0) {
-    context_.warn("W_IGNORED", "the weights of " + std::to_string(weights_) + " vertices were passed over", {});
-  }
-}
 
 }  // namespace
 

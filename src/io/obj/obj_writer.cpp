@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/obj/obj_writer.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,10 +6,10 @@
 #include <map>
 
 #include "io/channel_values.h"
-#include "io/format_loss.h"
+#include "io/mesh_formats.h"
+#include "io/mesh_writing.h"
 #include "io/obj/obj_tags.h"
 #include "io/text.h"
-#include "io/tick.h"
 
 namespace croquis {
 namespace {
@@ -59,6 +57,16 @@ CornerTable corner_table(const PolyMesh& mesh, const AttributeChannel* channel) 
   return table;
 }
 
+// A name has to stay on its line, and an element without one can't go back to having none.
+std::string statement_name(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20) c = '_';
+  }
+  name = trimmed(name);
+  if (!name.empty() && name.back() == '\\') name.back() = '_';
+  return name.empty() ? "default" : name;
+}
+
 class ObjWriter {
  public:
   ObjWriter(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress)
@@ -90,15 +98,108 @@ class ObjWriter {
     std::string current = {};  // the name in force, empty before the first
   };
 
-  void choose_channels();
-  const AttributeChannel* use(const char* name, Domain domain, int width, int or_width);
-  void write_vertices();
-  void write_colour(std::size_t vertex);
-  void write_table(const char* keyword, const CornerTable& table);
-  void write_states(std::size_t element, const AttributeChannel* State::*channel);
-  void write_smoothing(std::size_t face);
-  void write_face(std::size_t face);
-  void write_line(std::size_t line);
+  void choose_channels() {
+    colours_ = use("color", Domain::Vertex, 3, 4);
+    settled_ = use(settled_channel_name, Domain::Vertex, 1, 1);
+    smoothing_ = use("smoothing_group", Domain::Face, 1, 1);
+    const AttributeChannel* uv = use("uv", Domain::Corner, 2, 3);
+    if (uv == nullptr) uv = use("uv", Domain::Vertex, 2, 3);
+    const AttributeChannel* normal = use("normal", Domain::Corner, 3, 3);
+    if (normal == nullptr) normal = use("normal", Domain::Vertex, 3, 3);
+    uvs_ = corner_table(mesh_, uv);
+    normals_ = corner_table(mesh_, normal);
+    for (State& state : states_) {
+      state.faces = use(state.name, Domain::Face, 1, 1);
+      state.lines = use(state.name, Domain::Line, 1, 1);
+    }
+  }
+
+  const AttributeChannel* use(const char* name, Domain domain, int width, int or_width) {
+    const AttributeChannel* channel = usable_channel(mesh_, name, domain, width, or_width);
+    if (channel != nullptr) written_.push_back(channel);
+    return channel;
+  }
+
+  void write_vertices() {
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      tick_();
+      text_ += 'v';
+      for (int k = 0; k < 3; ++k) append_number(text_ += ' ', mesh_.positions[v][k], precision_);
+      if (colours_ != nullptr) write_colour(v);
+      text_ += '\n';
+    }
+  }
+
+  void write_colour(std::size_t vertex) {
+    const auto width = static_cast<std::size_t>(colours_->width);
+    std::array<double, 4> colour = {0, 0, 0, 1};
+    for (std::size_t k = 0; k < width; ++k) {
+      colour[k] = colour_of(*colours_, vertex * width + k);
+      if (!std::isfinite(colour[k])) return;
+    }
+    // An alpha of 1 is what a reader assumes; few programs read the seventh number.
+    for (std::size_t k = 0; k < (colour[3] == 1 ? 3U : 4U); ++k) append_number(text_ += ' ', colour[k], precision_);
+  }
+
+  void write_table(const char* keyword, const CornerTable& table) {
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+      if (i % table.width == 0) text_ += keyword;
+      append_number(text_ += ' ', table.values[i], precision_);
+      if ((i + 1) % table.width == 0) text_ += '\n';
+    }
+  }
+
+  void write_states(std::size_t element, const AttributeChannel* State::*channel) {
+    for (State& state : states_) {
+      const AttributeChannel* values = state.*channel;
+      const double value = values == nullptr ? -1 : value_of(*values, element);
+      if (values == state.last_channel && value == state.last_value) continue;
+      state.last_channel = values;
+      state.last_value = value;
+      const std::string name = value < 0 ? std::string() : statement_name(label_of(*values, element));
+      if (name == state.current) continue;
+      text_.append(state.keyword).append(1, ' ').append(name.empty() ? "default" : name).append(1, '\n');
+      state.current = name;
+    }
+  }
+
+  void write_smoothing(std::size_t face) {
+    if (smoothing_ == nullptr) return;
+    const double group = value_of(*smoothing_, face);
+    if (smoothing_written_ && group == smoothing_group_) return;
+    smoothing_written_ = true;
+    smoothing_group_ = group;
+    text_ += "s ";
+    if (group > 0) {
+      append_number(text_, static_cast<std::int64_t>(std::min(group, 2147483647.0)));
+    } else {
+      text_ += "off";
+    }
+    text_ += '\n';
+  }
+
+  void write_face(std::size_t face) {
+    tick_();
+    write_states(face, &State::faces);
+    write_smoothing(face);
+    text_ += 'f';
+    for (std::size_t c = mesh_.face_offsets[face]; c < mesh_.face_offsets[face + 1]; ++c) {
+      const Index uv = uvs_.entries.empty() ? no_index : uvs_.entries[c];
+      const Index normal = normals_.entries.empty() ? no_index : normals_.entries[c];
+      append_number(text_ += ' ', std::uint64_t{mesh_.corners[c]} + 1);
+      if (uv != no_index) append_number(text_ += '/', std::uint64_t{uv} + 1);
+      if (normal != no_index) append_number(text_ += uv == no_index ? "//" : "/", std::uint64_t{normal} + 1);
+    }
+    text_ += '\n';
+  }
+
+  void write_line(std::size_t line) {
+    tick_();
+    write_states(line, &State::lines);
+    text_ += 'l';
+    for (const Index vertex : mesh_.line(line)) append_number(text_ += ' ', std::uint64_t{vertex} + 1);
+    text_ += '\n';
+  }
 
   const PolyMesh& mesh_;
   int precision_;
@@ -114,119 +215,6 @@ class ObjWriter {
   CornerTable uvs_, normals_;
   std::array<State, 3> states_ = {State{"o", "object"}, State{"g", "group"}, State{"usemtl", "material"}};
 };
-
-const AttributeChannel* ObjWriter::use(const char* name, Domain domain, int width, int or_width) {
-  const AttributeChannel* channel = usable_channel(mesh_, name, domain, width, or_width);
-  if (channel != nullptr) written_.push_back(channel);
-  return channel;
-}
-
-void ObjWriter::choose_channels() {
-  colours_ = use("color", Domain::Vertex, 3, 4);
-  settled_ = use(settled_channel_name, Domain::Vertex, 1, 1);
-  smoothing_ = use("smoothing_group", Domain::Face, 1, 1);
-  const AttributeChannel* uv = use("uv", Domain::Corner, 2, 3);
-  if (uv == nullptr) uv = use("uv", Domain::Vertex, 2, 3);
-  const AttributeChannel* normal = use("normal", Domain::Corner, 3, 3);
-  if (normal == nullptr) normal = use("normal", Domain::Vertex, 3, 3);
-  uvs_ = corner_table(mesh_, uv);
-  normals_ = corner_table(mesh_, normal);
-  for (State& state : states_) {
-    state.faces = use(state.name, Domain::Face, 1, 1);
-    state.lines = use(state.name, Domain::Line, 1, 1);
-  }
-}
-
-void ObjWriter::write_vertices() {
-  for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-    tick_();
-    text_ += 'v';
-    for (int k = 0; k < 3; ++k) append_number(text_ += ' ', mesh_.positions[v][k], precision_);
-    if (colours_ != nullptr) write_colour(v);
-    text_ += '\n';
-  }
-}
-
-void ObjWriter::write_colour(std::size_t vertex) {
-  const auto width = static_cast<std::size_t>(colours_->width);
-  std::array<double, 4> colour = {0, 0, 0, 1};
-  for (std::size_t k = 0; k < width; ++k) {
-    colour[k] = colour_of(*colours_, vertex * width + k);
-    if (!std::isfinite(colour[k])) return;
-  }
-  // An alpha of 1 is what a reader assumes; few programs read the seventh number.
-  for (std::size_t k = 0; k < (colour[3] == 1 ? 3U : 4U); ++k) append_number(text_ += ' ', colour[k], precision_);
-}
-
-void ObjWriter::write_table(const char* keyword, const CornerTable& table) {
-  for (std::size_t i = 0; i < table.values.size(); ++i) {
-    if (i % table.width == 0) text_ += keyword;
-    append_number(text_ += ' ', table.values[i], precision_);
-    if ((i + 1) % table.width == 0) text_ += '\n';
-  }
-}
-
-// A name has to stay on its line, and an element without one can't go back to having none.
-std::string statement_name(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20) c = '_';
-  }
-  name = trimmed(name);
-  if (!name.empty() && name.back() == '\\') name.back() = '_';
-  return name.empty() ? "default" : name;
-}
-
-void ObjWriter::write_states(std::size_t element, const AttributeChannel* State::*channel) {
-  for (State& state : states_) {
-    const AttributeChannel* values = state.*channel;
-    const double value = values == nullptr ? -1 : value_of(*values, element);
-    if (values == state.last_channel && value == state.last_value) continue;
-    state.last_channel = values;
-    state.last_value = value;
-    const std::string name = value < 0 ? std::string() : statement_name(label_of(*values, element));
-    if (name == state.current) continue;
-    text_.append(state.keyword).append(1, ' ').append(name.empty() ? "default" : name).append(1, '\n');
-    state.current = name;
-  }
-}
-
-void ObjWriter::write_smoothing(std::size_t face) {
-  if (smoothing_ == nullptr) return;
-  const double group = value_of(*smoothing_, face);
-  if (smoothing_written_ && group == smoothing_group_) return;
-  smoothing_written_ = true;
-  smoothing_group_ = group;
-  text_ += "s ";
-  if (group > 0) {
-    append_number(text_, static_cast<std::int64_t>(std::min(group, 2147483647.0)));
-  } else {
-    text_ += "off";
-  }
-  text_ += '\n';
-}
-
-void ObjWriter::write_face(std::size_t face) {
-  tick_();
-  write_states(face, &State::faces);
-  write_smoothing(face);
-  text_ += 'f';
-  for (std::size_t c = mesh_.face_offsets[face]; c < mesh_.face_offsets[face + 1]; ++c) {
-    const Index uv = uvs_.entries.empty() ? no_index : uvs_.entries[c];
-    const Index normal = normals_.entries.empty() ? no_index : normals_.entries[c];
-    append_number(text_ += ' ', std::uint64_t{mesh_.corners[c]} + 1);
-    if (uv != no_index) append_number(text_ += '/', std::uint64_t{uv} + 1);
-    if (normal != no_index) append_number(text_ += uv == no_index ? "//" : "/", std::uint64_t{normal} + 1);
-  }
-  text_ += '\n';
-}
-
-void ObjWriter::write_line(std::size_t line) {
-  tick_();
-  write_states(line, &State::lines);
-  text_ += 'l';
-  for (const Index vertex : mesh_.line(line)) append_number(text_ += ' ', std::uint64_t{vertex} + 1);
-  text_ += '\n';
-}
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
 #include "io/json/report_reader.h"
+#include "io/little_endian.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -93,23 +94,19 @@ class CameraReader {
   CameraFile read(std::string_view bytes) {
     if (bytes.substr(0, fspy_magic.size()) == fspy_magic) return read_project(bytes);
     const Report report = read_json(bytes, file_);
-    if (member(report, "rotation") != nullptr) return read_own(report);
-    if (member(report, "cameraParameters") != nullptr) return read_fspy(*member(report, "cameraParameters"));
+    if (member_of(report, "rotation") != nullptr) return read_own(report);
+    if (member_of(report, "cameraParameters") != nullptr) return read_fspy(*member_of(report, "cameraParameters"));
     return read_fspy(report);
   }
 
  private:
-  static const Report* member(const Report& report, const char* key) {
-    return report_as<Report::Object>(&report) == nullptr ? nullptr : report.find(key);
-  }
-
   [[noreturn]] void refuse(const char* code, const std::string& what) const {
     throw Error(make_error(Category::Malformed, code, in_quotes(file_) + ": " + what + ".",
                            {{SubjectKind::File, file_, file_, {}, {}}}));
   }
 
   double positive(const Report& report, const char* key) const {
-    const auto number = number_of(member(report, key));
+    const auto number = number_of(member_of(report, key));
     if (!number || *number <= 0) refuse("E_SYNTAX", std::string(key) + " is not a number above 0");
     return *number;
   }
@@ -147,20 +144,21 @@ class CameraReader {
   CameraFile read_own(const Report& report) const {
     CameraFile file;
     file.camera.focal_length = positive(report, "focal_length");
-    file.camera.principal_point = vector<2>(member(report, "principal_point"), "principal_point");
-    file.camera.eye = vector<3>(member(report, "eye"), "eye");
-    file.camera.rotation = rotation(matrix<3>(member(report, "rotation"), "rotation"), "rotation");
-    file.camera.image_size = vector<2>(member(report, "image"), "image");
+    file.camera.principal_point = vector<2>(member_of(report, "principal_point"), "principal_point");
+    file.camera.eye = vector<3>(member_of(report, "eye"), "eye");
+    file.camera.rotation = rotation(matrix<3>(member_of(report, "rotation"), "rotation"), "rotation");
+    file.camera.image_size = vector<2>(member_of(report, "image"), "image");
     if (file.camera.image_size.minCoeff() <= 0) refuse("E_SYNTAX", "image is not two numbers above 0");
-    if (member(report, "origin") != nullptr) file.camera.image_origin = vector<2>(member(report, "origin"), "origin");
-    const auto mode = number_of(member(report, "mode"));
+    if (member_of(report, "origin") != nullptr)
+      file.camera.image_origin = vector<2>(member_of(report, "origin"), "origin");
+    const auto mode = number_of(member_of(report, "mode"));
     if (mode && *mode >= 1 && *mode <= 3) file.mode = static_cast<int>(*mode);
     return file;
   }
 
   CameraFile read_fspy(const Report& report) const {
-    const Report* view = member(report, "viewTransform");
-    const Report* principal = member(report, "principalPoint");
+    const Report* view = member_of(report, "viewTransform");
+    const Report* principal = member_of(report, "principalPoint");
     if (view == nullptr || principal == nullptr)
       refuse("E_SYNTAX", "it holds no camera: rotation or viewTransform is missing");
     CameraFile file;
@@ -168,10 +166,10 @@ class CameraReader {
     camera.image_size = {positive(report, "imageWidth"), positive(report, "imageHeight")};
     const double unit = fspy_unit(camera.image_size);
     camera.focal_length = unit * relative_focal_length(report);
-    const auto x = number_of(member(*principal, "x")), y = number_of(member(*principal, "y"));
+    const auto x = number_of(member_of(*principal, "x")), y = number_of(member_of(*principal, "y"));
     if (!x || !y) refuse("E_SYNTAX", "principalPoint is not an object with x and y");
     camera.principal_point = camera.image_size / 2 + unit * Vec2(*x, -*y);
-    const Eigen::Matrix4d rows = matrix<4>(member(*view, "rows"), "viewTransform");
+    const Eigen::Matrix4d rows = matrix<4>(member_of(*view, "rows"), "viewTransform");
     const Eigen::Matrix3d turn = rotation(rows.topLeftCorner<3, 3>(), "viewTransform");
     camera.rotation = fspy_axes() * turn;
     camera.eye = -turn.transpose() * rows.topRightCorner<3, 1>();
@@ -179,21 +177,16 @@ class CameraReader {
   }
 
   double relative_focal_length(const Report& report) const {
-    if (member(report, "relativeFocalLength") != nullptr) return positive(report, "relativeFocalLength");
+    if (member_of(report, "relativeFocalLength") != nullptr) return positive(report, "relativeFocalLength");
     const double angle = positive(report, "horizontalFieldOfView");
     if (angle >= 3.14) refuse("E_SYNTAX", "horizontalFieldOfView is not an angle below pi");
     return 1 / std::tan(angle / 2);
   }
 
-  std::uint32_t word_at(std::string_view bytes, std::size_t place) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i > 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[place + i - 1]);
-    return value;
-  }
-
   CameraFile read_project(std::string_view bytes) const {
     if (bytes.size() < fspy_head) refuse("E_TRUNCATED", "the fSpy project ends within its head of 16 bytes");
-    const std::uint32_t version = word_at(bytes, 4), size = word_at(bytes, 8);
+    const auto version = load_little_endian<std::uint32_t>(bytes.data() + 4);
+    const auto size = load_little_endian<std::uint32_t>(bytes.data() + 8);
     if (version != 1) {
       refuse("E_VERSION",
              "the fSpy project is of version " + std::to_string(version) + ", only 1 can be read: export it as JSON");
@@ -202,7 +195,7 @@ class CameraReader {
       refuse("E_TRUNCATED", "the fSpy project ends before its " + std::to_string(size) + " bytes of JSON do");
     }
     const Report report = read_json(bytes.substr(fspy_head, size), file_);
-    const Report* camera = member(report, "cameraParameters");
+    const Report* camera = member_of(report, "cameraParameters");
     if (camera == nullptr || camera->is_null()) refuse("E_SYNTAX", "the fSpy project has no camera: fSpy found none");
     return read_fspy(*camera);
   }

@@ -9,14 +9,12 @@
 #include "croquis/io/json.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "io/json/report_reader.h"
-#include "io/perspective/perspective_words.h"
-#include "io/perspective/stroke_geometry.h"
+#include "io/perspective/perspective_strokes.h"
 #include "io/text.h"
 
 namespace croquis {
 namespace {
 
-constexpr std::size_t most_findings = 100;
 constexpr const char* not_finite_word = "nan";
 
 // ---- Writing
@@ -83,12 +81,15 @@ Report drawing_report(const PerspectiveDrawing& drawing) {
 
 // ---- Reading
 
-class PerspectiveJsonReader {
+class PerspectiveJsonReader : ReportNotes {
  public:
-  explicit PerspectiveJsonReader(const std::string& file) : file_(file) { drawing_.file = file; }
+  explicit PerspectiveJsonReader(const std::string& file)
+      : ReportNotes(in_quotes(file), perspective_format, {{SubjectKind::File, file, file, {}, {}}}) {
+    drawing_.file = file;
+  }
 
   PerspectiveReadResult read(const Report& report) {
-    const auto* format = report_as<std::string>(member(report, "format"));
+    const auto* format = report_as<std::string>(member_of(report, "format"));
     if (format == nullptr || *format != perspective_format) {
       refuse("format", std::string("it is not \"") + perspective_format + "\"");
     } else {
@@ -96,41 +97,35 @@ class PerspectiveJsonReader {
       read_facts(report);
       read_strokes(report);
     }
-    if (!errors_.empty()) throw Error(std::move(errors_));
-    return {std::move(drawing_), {}};
+    Findings warnings = finish();
+    return {std::move(drawing_), std::move(warnings)};
   }
 
  private:
-  static const Report* member(const Report& report, std::string_view key) {
-    return report_as<Report::Object>(&report) == nullptr ? nullptr : report.find(key);
-  }
-
   void refuse(const std::string& place, const std::string& what, const char* code = "E_SYNTAX") {
-    if (errors_.size() >= most_findings) return;
-    errors_.push_back(make_error(Category::Malformed, code, in_quotes(file_) + ", " + place + ": " + what + ".",
-                                 {{SubjectKind::File, file_, file_, {}, {}}}));
+    ReportNotes::refuse(code, place, what);
   }
 
   /// Reads a member that may be absent.
   template <typename Read>
   void maybe(const Report& report, const char* key, const std::string& place, const char* expected, const Read& read) {
-    const Report* value = member(report, key);
+    const Report* value = member_of(report, key);
     if (value != nullptr && !read(value)) refuse(place + key, std::string("it is not ") + expected);
   }
 
   void read_sheet(const Report& report) {
-    const Report* image = member(report, "image");
+    const Report* image = member_of(report, "image");
     if (image == nullptr) return refuse("image", "the size of the sheet is missing");
-    const auto width = number_of(member(*image, "width")), height = number_of(member(*image, "height"));
+    const auto width = number_of(member_of(*image, "width")), height = number_of(member_of(*image, "height"));
     if (!width || !height || *width <= 0 || *height <= 0) return refuse("image", "width and height are not positive");
     drawing_.image_size = {*width, *height};
-    drawing_.origin = {number_of(member(*image, "x")).value_or(0), number_of(member(*image, "y")).value_or(0)};
+    drawing_.origin = {number_of(member_of(*image, "x")).value_or(0), number_of(member_of(*image, "y")).value_or(0)};
   }
 
   void read_facts(const Report& report) {
     maybe(report, "known_point", "", "an object with at and point", [&](const Report* known) {
-      const auto at = numbers_of<2>(member(*known, "at"));
-      const auto point = numbers_of<3>(member(*known, "point"));
+      const auto at = numbers_of<2>(member_of(*known, "at"));
+      const auto point = numbers_of<3>(member_of(*known, "point"));
       if (at && point) drawing_.known_point = {Vec2((*at)[0], (*at)[1]), Vec3((*point)[0], (*point)[1], (*point)[2])};
       return at && point;
     });
@@ -159,8 +154,8 @@ class PerspectiveJsonReader {
   }
 
   bool add_length(const Report& known) {
-    const auto* stroke = report_as<std::string>(member(known, "stroke"));
-    const auto length = number_of(member(known, "length"));
+    const auto* stroke = report_as<std::string>(member_of(known, "stroke"));
+    const auto length = number_of(member_of(known, "length"));
     if (stroke == nullptr || !length || *length <= 0) return false;
     drawing_.known_lengths.push_back({*stroke, *length});
     return true;
@@ -187,7 +182,7 @@ class PerspectiveJsonReader {
   }
 
   void read_strokes(const Report& report) {
-    const auto* list = report_as<Report::Array>(member(report, "strokes"));
+    const auto* list = report_as<Report::Array>(member_of(report, "strokes"));
     if (list == nullptr) return refuse("strokes", "it is not a list");
     if (list->empty()) return refuse("strokes", "there are none: there is nothing to make a solid of", "E_NO_STROKES");
     for (std::size_t i = 0; i < list->size(); ++i) {
@@ -200,7 +195,7 @@ class PerspectiveJsonReader {
   }
 
   void read_stroke(const Report& report, const std::string& place, PerspectiveStroke& stroke) {
-    if (!take_text(member(report, "id"), stroke.id) || stroke.id.empty()) refuse(place + "id", "it is not a text");
+    if (!take_text(member_of(report, "id"), stroke.id) || stroke.id.empty()) refuse(place + "id", "it is not a text");
     maybe(report, "role", place, "\"edge\" or \"construction\"",
           [&](const Report* value) { return take_word(value, role_of, stroke.role); });
     maybe(report, "group", place, "a number from 0 to 5", [&](const Report* value) {
@@ -227,8 +222,8 @@ class PerspectiveJsonReader {
   }
 
   void read_points(const Report& report, const std::string& place, PerspectiveStroke& stroke) {
-    const Report* points = member(report, "points");
-    const Report* pieces = member(report, "pieces");
+    const Report* points = member_of(report, "points");
+    const Report* pieces = member_of(report, "pieces");
     const auto* list = report_as<Report::Array>(points != nullptr ? points : pieces);
     const std::string where = place + (points != nullptr ? "points" : "pieces");
     if (list == nullptr || list->empty()) return refuse(where, "it is not a list of points");
@@ -274,10 +269,8 @@ class PerspectiveJsonReader {
     return cubic;
   }
 
-  std::string file_;
   PerspectiveDrawing drawing_;
   std::set<std::string> ids_;
-  Findings errors_;
 };
 
 }  // namespace

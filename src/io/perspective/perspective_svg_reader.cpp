@@ -8,10 +8,7 @@
 
 #include "croquis/base/limits.h"
 #include "croquis/io/perspective_drawing_file.h"
-#include "io/perspective/perspective_words.h"
-#include "io/perspective/stroke_geometry.h"
-#include "io/svg/svg_classes.h"
-#include "io/svg/svg_elements.h"
+#include "io/perspective/perspective_strokes.h"
 #include "io/svg/svg_shapes.h"
 #include "io/svg/svg_walk.h"
 #include "io/text.h"

@@ -2,20 +2,13 @@
 #include <string>
 #include <string_view>
 
+#include "croquis/base/text.h"
 #include "croquis/io/perspective_drawing_file.h"
-#include "io/perspective/perspective_words.h"
-#include "io/perspective/stroke_geometry.h"
+#include "io/perspective/perspective_strokes.h"
 #include "io/svg/svg_text.h"
-#include "io/text.h"
 
 namespace croquis {
 namespace {
-
-std::string number_text(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
 
 template <typename Vector>
 std::string point_text(const Vector& point) {

@@ -7,7 +7,7 @@
 
 #include "croquis/base/limits.h"
 #include "croquis/io/perspective_drawing_file.h"
-#include "io/svg/svg_scanner.h"
+#include "io/svg/svg_shapes.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/perspective/stroke_geometry.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "io/perspective/perspective_strokes.h"
 
 namespace croquis {
 namespace {

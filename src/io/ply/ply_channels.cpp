@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/ply/ply_channels.h"
-
 #include <algorithm>
 #include <limits>
 
-#include "io/ply/ply_names.h"
+#include "io/ply/ply_tables.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/ply/ply_header.h"
-
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <set>
 
+#include "io/ply/ply_tables.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -68,14 +68,102 @@ class HeaderReader {
     return end == std::string_view::npos ? bytes_.size() : end + 12;
   }
 
-  void handle(std::string_view keyword, WordReader& words);
-  void read_format(WordReader& words);
-  void read_element(WordReader& words);
-  void read_property(WordReader& words);
-  void read_object_info(WordReader& words);
-  PlyType read_type(WordReader& words);
-  void check_sizes();
-  std::size_t least_size(const PlyElement& element) const;
+  void handle(std::string_view keyword, WordReader& words) {
+    if (keyword == "format") return read_format(words);
+    if (keyword == "element") return read_element(words);
+    if (keyword == "property") return read_property(words);
+    if (keyword == "obj_info") return read_object_info(words);
+    if (keyword == "comment" || keyword.empty()) return;
+    fail_syntax(in_quotes(keyword) + " does not belong in a PLY header");
+  }
+
+  void read_format(WordReader& words) {
+    const std::string_view name = words.next();
+    if (name == "ascii") {
+      header_.encoding = PlyEncoding::Ascii;
+    } else if (name == "binary_little_endian") {
+      header_.encoding = PlyEncoding::LittleEndian;
+    } else if (name == "binary_big_endian") {
+      header_.encoding = PlyEncoding::BigEndian;
+    } else {
+      fail_syntax(in_quotes(name) + " is not a PLY format");
+    }
+    if (words.next() != "1.0") fail_syntax("only version 1.0 of PLY is known");
+    has_format_ = true;
+  }
+
+  void read_element(WordReader& words) {
+    PlyElement element;
+    element.name = words.next();
+    const std::string_view count = words.next();
+    if (element.name.empty()) fail_syntax("an element needs a name and a count");
+    if (!parse_number(count, element.count)) {
+      context_.fail("E_COUNT", in_quotes(count) + " is not a number of elements", at_line(line_));
+    }
+    if (!element_names_.insert(element.name).second)
+      fail_syntax("the element " + in_quotes(element.name) + " comes twice");
+    property_names_.clear();
+    header_.elements.push_back(std::move(element));
+  }
+
+  void read_property(WordReader& words) {
+    if (header_.elements.empty()) fail_syntax("a property stands before the first element");
+    PlyProperty property;
+    WordReader ahead = words;
+    property.is_list = ahead.next() == "list";
+    if (property.is_list) {
+      words = ahead;
+      property.count_type = read_type(words);
+      if (!is_integer(property.count_type)) fail_syntax("the length of a list must be an integer");
+    }
+    property.type = read_type(words);
+    property.name = words.next();
+    if (property.name.empty()) fail_syntax("a property needs a name");
+    if (!property_names_.insert(property.name).second) {
+      fail_syntax("the property " + in_quotes(property.name) + " comes twice");
+    }
+    header_.elements.back().properties.push_back(std::move(property));
+  }
+
+  // Programs write anything behind obj_info; only a scan's grid is asked for.
+  void read_object_info(WordReader& words) {
+    const std::string_view name = words.next();
+    std::size_t number = 0;
+    if ((name != "num_cols" && name != "num_rows") || !parse_number(words.next(), number)) return;
+    (name == "num_cols" ? header_.grid.columns : header_.grid.rows) = number;
+  }
+
+  PlyType read_type(WordReader& words) {
+    const std::string_view name = words.next();
+    const std::optional<PlyType> type = type_named(name);
+    if (!type) fail_syntax(in_quotes(name) + " is not a PLY type");
+    return *type;
+  }
+
+  void check_sizes() {
+    // The last line of a text needs no end, hence one byte more.
+    std::size_t left = bytes_.size() - header_.body + (header_.encoding == PlyEncoding::Ascii ? 1 : 0);
+    for (PlyElement& element : header_.elements) {
+      const std::size_t size = least_size(element);
+      if (size == 0) element.count = 0;  // elements without properties take no bytes and hold nothing
+      if (size > 0 && element.count > left / size) {
+        context_.fail("E_TRUNCATED",
+                      "the header claims " + std::to_string(element.count) + " elements " + in_quotes(element.name) +
+                          ", but the rest of the file can hold no more than " + std::to_string(left / size),
+                      at_byte(header_.body));
+      }
+      left -= size * element.count;
+    }
+  }
+
+  std::size_t least_size(const PlyElement& element) const {
+    std::size_t size = 0;
+    for (const PlyProperty& property : element.properties) {
+      const std::size_t binary = size_of(property.is_list ? property.count_type : property.type);
+      size += header_.encoding == PlyEncoding::Ascii ? 2 : binary;  // a digit and what parts it from the next
+    }
+    return size;
+  }
 
   std::string_view bytes_;
   ReadContext& context_;
@@ -85,103 +173,6 @@ class HeaderReader {
   std::set<std::string, std::less<>> element_names_, property_names_;
 };
 
-void HeaderReader::handle(std::string_view keyword, WordReader& words) {
-  if (keyword == "format") return read_format(words);
-  if (keyword == "element") return read_element(words);
-  if (keyword == "property") return read_property(words);
-  if (keyword == "obj_info") return read_object_info(words);
-  if (keyword == "comment" || keyword.empty()) return;
-  fail_syntax(in_quotes(keyword) + " does not belong in a PLY header");
-}
-
-void HeaderReader::read_format(WordReader& words) {
-  const std::string_view name = words.next();
-  if (name == "ascii") {
-    header_.encoding = PlyEncoding::Ascii;
-  } else if (name == "binary_little_endian") {
-    header_.encoding = PlyEncoding::LittleEndian;
-  } else if (name == "binary_big_endian") {
-    header_.encoding = PlyEncoding::BigEndian;
-  } else {
-    fail_syntax(in_quotes(name) + " is not a PLY format");
-  }
-  if (words.next() != "1.0") fail_syntax("only version 1.0 of PLY is known");
-  has_format_ = true;
-}
-
-void HeaderReader::read_element(WordReader& words) {
-  PlyElement element;
-  element.name = words.next();
-  const std::string_view count = words.next();
-  if (element.name.empty()) fail_syntax("an element needs a name and a count");
-  if (!parse_number(count, element.count)) {
-    context_.fail("E_COUNT", in_quotes(count) + " is not a number of elements", at_line(line_));
-  }
-  if (!element_names_.insert(element.name).second)
-    fail_syntax("the element " + in_quotes(element.name) + " comes twice");
-  property_names_.clear();
-  header_.elements.push_back(std::move(element));
-}
-
-// Programs write anything behind obj_info; only a scan's grid is asked for.
-void HeaderReader::read_object_info(WordReader& words) {
-  const std::string_view name = words.next();
-  std::size_t number = 0;
-  if ((name != "num_cols" && name != "num_rows") || !parse_number(words.next(), number)) return;
-  (name == "num_cols" ? header_.grid.columns : header_.grid.rows) = number;
-}
-
-PlyType HeaderReader::read_type(WordReader& words) {
-  const std::string_view name = words.next();
-  const std::optional<PlyType> type = type_named(name);
-  if (!type) fail_syntax(in_quotes(name) + " is not a PLY type");
-  return *type;
-}
-
-void HeaderReader::read_property(WordReader& words) {
-  if (header_.elements.empty()) fail_syntax("a property stands before the first element");
-  PlyProperty property;
-  WordReader ahead = words;
-  property.is_list = ahead.next() == "list";
-  if (property.is_list) {
-    words = ahead;
-    property.count_type = read_type(words);
-    if (!is_integer(property.count_type)) fail_syntax("the length of a list must be an integer");
-  }
-  property.type = read_type(words);
-  property.name = words.next();
-  if (property.name.empty()) fail_syntax("a property needs a name");
-  if (!property_names_.insert(property.name).second) {
-    fail_syntax("the property " + in_quotes(property.name) + " comes twice");
-  }
-  header_.elements.back().properties.push_back(std::move(property));
-}
-
-std::size_t HeaderReader::least_size(const PlyElement& element) const {
-  std::size_t size = 0;
-  for (const PlyProperty& property : element.properties) {
-    const std::size_t binary = size_of(property.is_list ? property.count_type : property.type);
-    size += header_.encoding == PlyEncoding::Ascii ? 2 : binary;  // a digit and what parts it from the next
-  }
-  return size;
-}
-
-void HeaderReader::check_sizes() {
-  // The last line of a text needs no end, hence one byte more.
-  std::size_t left = bytes_.size() - header_.body + (header_.encoding == PlyEncoding::Ascii ? 1 : 0);
-  for (PlyElement& element : header_.elements) {
-    const std::size_t size = least_size(element);
-    if (size == 0) element.count = 0;  // elements without properties take no bytes and hold nothing
-    if (size > 0 && element.count > left / size) {
-      context_.fail("E_TRUNCATED",
-                    "the header claims " + std::to_string(element.count) + " elements " + in_quotes(element.name) +
-                        ", but the rest of the file can hold no more than " + std::to_string(left / size),
-                    at_byte(header_.body));
-    }
-    left -= size * element.count;
-  }
-}
-
 }  // namespace
 
 std::size_t size_of(PlyType type) { return type_names[static_cast<std::size_t>(type)].size; }
@@ -189,5 +180,48 @@ const char* name_of(PlyType type) { return type_names[static_cast<std::size_t>(t
 bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
 
 PlyHeader read_ply_header(std::string_view bytes, ReadContext& context) { return HeaderReader(bytes, context).read(); }
+
+namespace {
+
+AttributeChannel::Data empty_values(PlyType type) {
+  switch (type) {
+    case PlyType::Int8: return std::vector<std::int8_t>();
+    case PlyType::Uint8: return std::vector<std::uint8_t>();
+    case PlyType::Int16: return std::vector<std::int16_t>();
+    case PlyType::Uint16: return std::vector<std::uint16_t>();
+    case PlyType::Int32: return std::vector<std::int32_t>();
+    case PlyType::Uint32: return std::vector<std::uint32_t>();
+    case PlyType::Float32: return std::vector<float>();
+    case PlyType::Float64: return std::vector<double>();
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<PlyColumn> empty_columns(const PlyElement& element) {
+  std::vector<PlyColumn> columns;
+  for (const PlyProperty& property : element.properties) {
+    columns.push_back({property, empty_values(property.type), {}});
+  }
+  return columns;
+}
+
+Place PlyTable::place(std::size_t row) const {
+  if (encoding == PlyEncoding::Ascii) {
+    const auto after = std::upper_bound(lines.begin(), lines.end(), row,
+                                        [](std::size_t r, const auto& entry) { return r < entry.first; });
+    if (after == lines.begin()) return {};
+    const auto& [known_row, line] = *std::prev(after);
+    return at_line(line + static_cast<std::int64_t>(row - known_row));
+  }
+  std::size_t byte = first_byte;
+  for (const PlyColumn& column : columns) {
+    const std::size_t size = size_of(column.property.type);
+    byte += column.property.is_list ? row * size_of(column.property.count_type) + column.list_begin(row) * size
+                                    : row * size;
+  }
+  return at_byte(byte);
+}
 
 }  // namespace croquis

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/svg/svg_findings.h"
-
 #include <algorithm>
 
 #include "croquis/base/error.h"
+#include "io/svg/svg_walk.h"
 
 namespace croquis {
 namespace {

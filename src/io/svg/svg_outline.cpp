@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/svg/svg_outline.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "io/svg/svg_shapes.h"
 
 namespace croquis {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/svg/svg_path.h"
-
 #include <string>
 
 #include "croquis/base/limits.h"
+#include "io/svg/svg_shapes.h"
 #include "io/text.h"
 
 namespace croquis {

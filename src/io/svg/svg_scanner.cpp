@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/svg/svg_scanner.h"
-
-#include <charconv>
 #include <limits>
 
+#include "io/svg/svg_shapes.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -12,24 +10,6 @@ namespace {
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// from_chars returns "out of range" both for the huge and for the tiny.
-bool is_tiny(std::string_view number) {
-  const std::size_t exponent = number.find_first_of("eE");
-  if (exponent != std::string_view::npos) return number[exponent + 1] == '-';
-  return number.find_first_of("123456789") > number.find('.');
-}
-
-double to_double(std::string_view number) {
-  double value = 0;
-  const bool negative = number.front() == '-';
-  if (number.front() == '+') number.remove_prefix(1);
-  const auto result = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (result.ec != std::errc::result_out_of_range) return value;
-  if (is_tiny(number)) return 0;
-  const double infinity = std::numeric_limits<double>::infinity();
-  return negative ? -infinity : infinity;
-}
 
 }  // namespace
 
@@ -85,7 +65,9 @@ std::optional<double> SvgScanner::number() {
   if (end == position_) return number_word();
   const std::string_view number = text_.substr(position_, end - position_);
   position_ = end;
-  return to_double(number);
+  double value = 0;
+  parse_number(number, value);
+  return value;
 }
 
 std::optional<bool> SvgScanner::flag() {

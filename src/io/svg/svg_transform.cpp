@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/svg/svg_transform.h"
-
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
+#include "io/svg/svg_shapes.h"
 #include "io/text.h"
 
 namespace croquis {

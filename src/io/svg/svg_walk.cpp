@@ -6,9 +6,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
-#include "io/svg/svg_elements.h"
 #include "io/svg/svg_shapes.h"
-#include "io/svg/svg_transform.h"
 #include "io/text.h"
 
 namespace croquis {

@@ -13,14 +13,87 @@
 #include <Eigen/Geometry>
 #include <pugixml.hpp>
 
+#include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
-#include "io/svg/svg_classes.h"
-#include "io/svg/svg_findings.h"
-#include "io/svg/svg_outline.h"
-#include "io/svg/svg_scanner.h"
 #include "io/svg/svg_shapes.h"
 
+/// A file's elements, and all that can be wrong with them.
 namespace croquis {
+
+/// "svg:path" and "path" are the same; other prefixes stay, so that they match nothing.
+std::string_view svg_local_name(const pugi::xml_node& node);
+
+bool is_svg_group(std::string_view name);
+
+/// Elements that draw nothing by themselves.
+bool is_svg_definition(std::string_view name);
+
+/// The value of a property in a list of declarations ("a: b; c: d"), the last one; empty when it is not there.
+std::string_view svg_declared(std::string_view declarations, std::string_view property);
+
+/// A property as an attribute or, stronger, in the style attribute.
+std::string svg_property(const pugi::xml_node& node, std::string_view name);
+
+/// Declarations of a file's style sheets: rules whose selector is a class, an id or an element's name alone
+/// (".a, #b, path { stroke: red }").
+class SvgClasses {
+ public:
+  /// All `style` elements below the root that stand among definitions or in few groups.
+  void read(const pugi::xml_node& root);
+
+  /// A property of an element: its style attribute, then what sheets say of its id, its classes and its name, then its
+  /// own attribute; empty when it has none.
+  std::string property(const pugi::xml_node& node, std::string_view name) const;
+
+  /// The same of the element or of the nearest element around it that has one.
+  std::string inherited(pugi::xml_node node, std::string_view name) const;
+
+ private:
+  void read(const pugi::xml_node& root, int level);
+  void read_sheet(std::string_view text);
+
+  std::string_view of_rule(std::string_view selector, std::string_view name) const;
+
+  std::map<std::string, std::string, std::less<>> declarations_;  ///< by selector
+};
+
+/// Findings about one drawing: at most a hundred of a code, then only the number of the others.
+class SvgFindings {
+ public:
+  explicit SvgFindings(std::string file) : file_(std::move(file)) {}
+
+  void file_error(Category category, const char* code, const std::string& message,
+                  std::optional<std::int64_t> line = std::nullopt);
+  void stroke_error(Category category, const char* code, const std::string& message, const std::string& stroke,
+                    std::int64_t line);
+  void stroke_warning(const char* code, const std::string& message, const std::string& stroke, std::int64_t line);
+  void stroke_note(const char* code, const std::string& message, const std::string& stroke, std::int64_t line);
+  void file_warning(const char* code, const std::string& message, std::int64_t line);
+
+  /// @throws Error with all findings so far when one of them is an error
+  void stop_on_errors();
+  Findings take();
+
+ private:
+  void add(Finding finding);
+
+  std::string file_;
+  Findings findings_;
+  std::map<std::string, std::size_t> counts_;
+};
+
+/// Line of a place in a text, in constant time on average for places that come in rising order.
+class LineCounter {
+ public:
+  explicit LineCounter(std::string_view text) : text_(text) {}
+
+  std::int64_t line_at(std::size_t position);  ///< 1-based
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::int64_t line_ = 1;
+};
 
 /// A shape that is to be shown, with its outline in its own coordinates.
 struct SvgShownShape {

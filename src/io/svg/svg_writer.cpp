@@ -2,42 +2,28 @@
 #include "croquis/io/svg_writer.h"
 
 #include <algorithm>
-#include <charconv>
-#include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "io/svg/svg_text.h"
+#include "io/text.h"
 
 namespace croquis {
 namespace {
 
-void append_number(std::string& text, double value) {
-  char buffer[32];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value + 0.0).ptr);
-}
-
+// Adding 0 makes 0 of -0.
 void append_point(std::string& text, const Vec2& point) {
-  append_number(text, point.x());
+  append_number(text, 0.0 + point.x());
   text += ' ';
-  append_number(text, -point.y());
+  append_number(text, 0.0 + -point.y());
 }
 
-struct Box {
-  Vec2 min = Vec2::Zero();
-  Vec2 max = Vec2::Zero();
-};
-
-Box bounding_box(const Drawing& drawing) {
-  Box box;
-  bool first = true;
+Eigen::AlignedBox2d page_of(const Drawing& drawing) {
+  Eigen::AlignedBox2d box;
   for (const Stroke& stroke : drawing.strokes) {
-    for (const StrokeSample& sample : stroke.samples) {
-      const Vec2 page(sample.position.x(), -sample.position.y());
-      box.min = first ? page : Vec2(box.min.cwiseMin(page));
-      box.max = first ? page : Vec2(box.max.cwiseMax(page));
-      first = false;
-    }
+    for (const StrokeSample& sample : stroke.samples) box.extend(Vec2(sample.position.x(), -sample.position.y()));
   }
-  return box;
+  return box.isEmpty() ? Eigen::AlignedBox2d(Vec2(0, 0)) : box;
 }
 
 /// Where the sheet lies in space; sheets at z = 0 have none.
@@ -47,18 +33,18 @@ void append_plane(std::string& text, const DrawingPlane& plane) {
   for (const Vec3& vector : {plane.origin, plane.u, plane.v}) {
     for (const double value : vector) {
       if (text.back() != '"') text += ' ';
-      append_number(text, value);
+      append_number(text, 0.0 + value);
     }
   }
   text += '"';
 }
 
-void append_header(std::string& text, const Box& box, const DrawingPlane& plane) {
-  const Vec2 size = box.max - box.min;
+void append_header(std::string& text, const Eigen::AlignedBox2d& box, const DrawingPlane& plane) {
+  const Vec2 size = box.sizes();
   const double margin = 0.03 * std::max(size.x(), size.y()) + 1e-9;
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
-  for (const double value : {box.min.x() - margin, box.min.y() - margin, size.x() + 2 * margin}) {
-    append_number(text, value);
+  for (const double value : {box.min().x() - margin, box.min().y() - margin, size.x() + 2 * margin}) {
+    append_number(text, 0.0 + value);
     text += ' ';
   }
   append_number(text, size.y() + 2 * margin);
@@ -103,10 +89,10 @@ void append_group_start(std::string& text, const Drawing& drawing, const std::st
 }  // namespace
 
 std::string write_svg_drawing(const Drawing& drawing) {
-  const Box box = bounding_box(drawing);
+  const Eigen::AlignedBox2d box = page_of(drawing);
   std::string text;
   append_header(text, box, drawing.plane);
-  const double dash = 0.008 * (box.max - box.min).norm();
+  const double dash = 0.008 * box.sizes().norm();
   for (const Stroke& stroke : drawing.strokes) {
     if (!stroke.object.empty()) append_group_start(text, drawing, stroke.object);
     append_stroke(text, stroke, dash);

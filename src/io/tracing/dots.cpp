@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tracing/dots.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "croquis/geometry/polyline.h"
-#include "io/tracing/thinning.h"
+#include "io/tracing/tracing.h"
 
 namespace croquis::tracing {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tracing/ink.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "io/tracing/tracing.h"
 
 namespace croquis::tracing {
 namespace {

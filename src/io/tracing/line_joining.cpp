@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tracing/line_joining.h"
-
 #include <algorithm>
 #include <numbers>
 #include <ranges>
 #include <span>
 
 #include "croquis/geometry/polyline.h"
+#include "io/tracing/tracing.h"
 
 namespace croquis::tracing {
 namespace {

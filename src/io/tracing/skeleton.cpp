@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tracing/skeleton.h"
-
 #include <algorithm>
 #include <optional>
 
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/polyline.h"
-#include "io/tracing/thinning.h"
+#include "io/tracing/tracing.h"
 
 namespace croquis::tracing {
 namespace {

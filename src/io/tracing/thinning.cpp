@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tracing/thinning.h"
-
 #include <algorithm>
 #include <iterator>
+
+#include "io/tracing/tracing.h"
 
 namespace croquis::tracing {
 namespace {

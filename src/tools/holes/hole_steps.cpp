@@ -4,95 +4,48 @@
 #include <cmath>
 
 namespace croquis::recorded {
-namespace {
 
-HoleChoice read_hole(Fields& fields) {
-  HoleChoice step;
-  if (fields.has("up-to")) {
-    step.action = fields.one_of("action", {"fill"});
-    step.up_to = fields.number("up-to");
-    if (!(*step.up_to > 0)) throw Mistake{"\"up-to\" must be greater than 0"};
-    step.node = fields.text("node", "");
-    return step;
+void HoleChoice::describe(Fields& fields) {
+  static const Words actions = {"select", "add", "remove", "toggle", "fill", "leave"};
+  const bool by_width = fields.reads() ? fields.has("up-to") : up_to.has_value();
+  if (by_width) {
+    fields.required("action", action, Words{"fill"});
+    fields.required("up-to", up_to);
+    fields.require(*up_to > 0, "\"up-to\" must be greater than 0");
+  } else {
+    if (fields.reads() && fields.has("hole")) {
+      fields.required("hole", holes.emplace_back());
+    } else {
+      fields.required("holes", holes);
+    }
+    fields.given("action", action, actions);
+    fields.require(!holes.empty() || action == "select", "\"holes\" must name a hole for \"" + action + "\"");
   }
-  step.holes = fields.has("hole") ? std::vector<Index>{fields.index("hole")} : fields.indices("holes");
-  if (fields.has("action"))
-    step.action = fields.one_of("action", {"select", "add", "remove", "toggle", "fill", "leave"});
-  if (step.holes.empty() && step.action != "select")
-    throw Mistake{"\"holes\" must name a hole for \"" + step.action + "\""};
-  step.node = fields.text("node", "");
-  return step;
+  fields.seldom("node", node);
 }
 
-void write_hole(const HoleChoice& step, FieldWriter& writer) {
-  if (!step.up_to) writer.indices("holes", step.holes);
-  writer.text("action", step.action);
-  if (step.up_to) writer.number("up-to", *step.up_to);
-  if (!step.node.empty()) writer.text("node", step.node);
+void HoleWay::describe(Fields& fields) {
+  fields.given("holes", holes);
+  fields.seldom("fairness", fairness, Words{"auto", "rbf", "smooth", "flat"});
+  fields.seldom("kernel", kernel);
+  fields.seldom("bulge", bulge);
+  fields.seldom("trim-rim", trim_rim);
+  fields.require(!bulge || std::abs(*bulge) <= 1, "\"bulge\" must be from -1 to 1");
+  fields.require(fairness || kernel || bulge || trim_rim,
+                 "\"fairness\", \"kernel\", \"bulge\" or \"trim-rim\" is missing");
+  fields.seldom("node", node);
 }
 
-HoleWay read_hole_way(Fields& fields) {
-  HoleWay step{fields.has("holes") ? fields.indices("holes") : std::vector<Index>{}};
-  if (fields.has("fairness")) step.fairness = fields.one_of("fairness", {"auto", "rbf", "smooth", "flat"});
-  if (fields.has("kernel")) step.kernel = fields.text("kernel");
-  if (fields.has("bulge")) step.bulge = fields.number("bulge");
-  if (fields.has("trim-rim")) step.trim_rim = fields.count("trim-rim");
-  if (step.bulge && std::abs(*step.bulge) > 1) throw Mistake{"\"bulge\" must be from -1 to 1"};
-  if (!step.fairness && !step.kernel && !step.bulge && !step.trim_rim)
-    throw Mistake{"\"fairness\", \"kernel\", \"bulge\" or \"trim-rim\" is missing"};
-  step.node = fields.text("node", "");
-  return step;
-}
-
-void write_hole_way(const HoleWay& step, FieldWriter& writer) {
-  writer.indices("holes", step.holes);
-  if (step.fairness) writer.text("fairness", *step.fairness);
-  if (step.kernel) writer.text("kernel", *step.kernel);
-  if (step.bulge) writer.number("bulge", *step.bulge);
-  if (step.trim_rim) writer.count("trim-rim", *step.trim_rim);
-  if (!step.node.empty()) writer.text("node", step.node);
-}
-
-HolePoint read_hole_point(Fields& fields) {
-  HolePoint step{fields.index("hole"), fields.model_place("from"), fields.model_place("to"), fields.text("node", "")};
-  if (!step.from && !step.to) throw Mistake{"\"from\", \"to\" or both are missing"};
-  return step;
-}
-
-void write_hole_point(const HolePoint& step, FieldWriter& writer) {
-  writer.count("hole", step.hole);
-  if (step.from) writer.triple("from", *step.from);
-  if (step.to) writer.triple("to", *step.to);
-  if (!step.node.empty()) writer.text("node", step.node);
-}
-
-}  // namespace
-
-const StepKind& HoleChoice::step_kind() {
-  static const StepKind kind = make_step_kind({"hole"}, read_hole, write_hole);
-  return kind;
-}
-
-const StepKind& HoleWay::step_kind() {
-  static const StepKind kind = make_step_kind({"hole-way"}, read_hole_way, write_hole_way);
-  return kind;
-}
-
-const StepKind& HolePoint::step_kind() {
-  static const StepKind kind = make_step_kind({"hole-point"}, read_hole_point, write_hole_point);
-  return kind;
+void HolePoint::describe(Fields& fields) {
+  fields.required("hole", hole);
+  fields.seldom("from", from);
+  fields.seldom("to", to);
+  fields.seldom("node", node);
+  fields.require(from || to, "\"from\", \"to\" or both are missing");
 }
 
 const Vocabulary& hole_steps() {
-  static const Vocabulary vocabulary = [] {
-    Vocabulary made;
-    made.add(HoleChoice::step_kind());
-    made.add(HoleWay::step_kind());
-    made.add(HolePoint::step_kind());
-    made.add_count("holes");
-    made.add_count("patches");
-    return made;
-  }();
+  static const Vocabulary vocabulary = vocabulary_of<HoleChoice, HoleWay, HolePoint>({"holes", "patches"});
   return vocabulary;
 }
 

@@ -4,38 +4,14 @@
 #include "croquis/tools/measure/measure_tool.h"
 
 namespace croquis::recorded {
-namespace {
 
-Measure read_measure(Fields& fields) {
-  Measure step;
-  for (const std::vector<double>& place : fields.number_lists("places")) {
-    if (place.size() != 3) throw Mistake{"\"places\" must be a list of places of three numbers"};
-    step.places.emplace_back(place[0], place[1], place[2]);
-  }
-  if (step.places.size() > MeasureTool::most_places) throw Mistake{"\"places\" may hold three places at most"};
-  return step;
-}
-
-void write_measure(const Measure& step, FieldWriter& writer) {
-  std::vector<std::vector<double>> places;
-  for (const Vec3& place : step.places) places.push_back({place.x(), place.y(), place.z()});
-  writer.number_lists("places", places);
-}
-
-}  // namespace
-
-const StepKind& Measure::step_kind() {
-  static const StepKind kind = make_step_kind({"measure"}, read_measure, write_measure);
-  return kind;
+void Measure::describe(Fields& fields) {
+  fields.required("places", places);
+  fields.require(places.size() <= MeasureTool::most_places, "\"places\" may hold three places at most");
 }
 
 const Vocabulary& measure_steps() {
-  static const Vocabulary vocabulary = [] {
-    Vocabulary made;
-    made.add(Measure::step_kind());
-    made.add_range("measured");
-    return made;
-  }();
+  static const Vocabulary vocabulary = vocabulary_of<Measure>({}, {"measured"});
   return vocabulary;
 }
 

@@ -92,7 +92,7 @@ Verdict replay_tag_set(MeshTool& tool, const recorded::TagSet& step) {
 
 template <typename T>
 void add_replay(StepReplays& replays, Verdict (*replay)(MeshTool&, const T&)) {
-  replays[&T::step_kind()] = [replay](MeshTool& tool, const recorded::Step& step) {
+  replays[&recorded::step_kind<T>()] = [replay](MeshTool& tool, const recorded::Step& step) {
     return replay(tool, *step.as<T>());
   };
 }

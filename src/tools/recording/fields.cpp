@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/tools/recording/fields.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -37,10 +38,23 @@ Index as_index(const FieldJson& value, const std::string& name) {
   return value.get<Index>();
 }
 
+template <typename Vector>
+Vector as_vector(const FieldJson& value, const std::string& name, const char* expected) {
+  const std::vector<double> numbers = number_list(value, name);
+  if (numbers.size() != Vector::SizeAtCompileTime) throw Mistake{quoted(name) + " must be " + expected};
+  return Eigen::Map<const Vector>(numbers.data());
+}
+
+template <typename Vector>
+FieldJson json_of(const Vector& numbers) {
+  return std::vector<double>(numbers.begin(), numbers.end());
+}
+
 }  // namespace
 
 struct Fields::State {
-  FieldJson object;
+  bool reads = false;
+  FieldJson object = FieldJson::object();
   std::set<std::string> known;
 
   const FieldJson* find(const std::string& name) {
@@ -49,138 +63,195 @@ struct Fields::State {
     return found == object.end() ? nullptr : &*found;
   }
 
-  const FieldJson& get(const std::string& name) {
+  /// Reads a value as `take` understands the field, or writes it.
+  template <typename T, typename Take>
+  void exchange(const std::string& name, T& value, const Take& take) {
+    if (!reads) {
+      object[name] = value;
+      return;
+    }
     const FieldJson* found = find(name);
     if (found == nullptr) throw Mistake{quoted(name) + " is missing"};
-    return *found;
+    value = take(*found);
+  }
+
+  template <typename Vector>
+  void exchange_vector(const std::string& name, Vector& value, const char* expected) {
+    FieldJson numbers = json_of(value);
+    exchange(name, numbers, [](const FieldJson& field) { return field; });
+    if (reads) value = as_vector<Vector>(numbers, name, expected);
   }
 };
 
 Fields::Fields(std::string_view line, const Vocabulary& vocabulary)
-    : state_(std::make_unique<State>()), vocabulary_(vocabulary) {
+    : state_(std::make_unique<State>()), vocabulary_(&vocabulary) {
+  state_->reads = true;
   state_->object = FieldJson::parse(line, nullptr, false);
   if (!state_->object.is_object()) throw Mistake{"it is no JSON object"};
 }
+
+Fields::Fields() : state_(std::make_unique<State>()) {}
 
 Fields::~Fields() = default;
 
 bool Fields::has(const std::string& name) { return state_->find(name) != nullptr; }
 
-std::string Fields::text(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (!value.is_string()) throw Mistake{quoted(name) + " must be a text"};
-  return value.get<std::string>();
+void Fields::exchange(const std::string& name, std::string& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!field.is_string()) throw Mistake{quoted(name) + " must be a text"};
+    return field.get<std::string>();
+  });
 }
 
-std::string Fields::text(const std::string& name, const std::string& otherwise) {
-  return has(name) ? text(name) : otherwise;
-}
-
-std::string Fields::one_of(const std::string& name, const std::vector<std::string>& choices) {
-  std::string value = text(name);
-  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
+void Fields::exchange(const std::string& name, std::string& value, const Words& words) {
+  exchange(name, value);
+  if (!reads() || std::ranges::find(words, value) != words.end()) return;
   std::string list;
-  for (const std::string& choice : choices) list += (list.empty() ? "" : ", ") + choice;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
   throw Mistake{quoted(name) + " must be one of " + list};
 }
 
-bool Fields::flag(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (!value.is_boolean()) throw Mistake{quoted(name) + " must be true or false"};
-  return value.get<bool>();
+void Fields::exchange(const std::string& name, bool& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!field.is_boolean()) throw Mistake{quoted(name) + " must be true or false"};
+    return field.get<bool>();
+  });
 }
 
-double Fields::number(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (!is_usable(value)) throw Mistake{quoted(name) + " must be a finite number"};
-  return value.get<double>();
+void Fields::exchange(const std::string& name, double& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!is_usable(field)) throw Mistake{quoted(name) + " must be a finite number"};
+    return field.get<double>();
+  });
 }
 
-double Fields::number_or_infinite(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (value.is_string() && value.get<std::string>() == "inf") return std::numeric_limits<double>::infinity();
-  if (!is_usable(value) || value.get<double>() < 0)
-    throw Mistake{quoted(name) + " must be a number of at least 0, or \"inf\""};
-  return value.get<double>();
+void Fields::exchange(const std::string& name, double& value, const OrInfinite&) {
+  FieldJson number = std::isinf(value) ? FieldJson("inf") : FieldJson(value);
+  state_->exchange(name, number, [&](const FieldJson& field) {
+    if (field == "inf") return FieldJson(std::numeric_limits<double>::infinity());
+    if (!is_usable(field) || field.get<double>() < 0)
+      throw Mistake{quoted(name) + " must be a number of at least 0, or \"inf\""};
+    return field;
+  });
+  if (reads()) value = number.get<double>();
 }
 
-std::int64_t Fields::count(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (!value.is_number_integer() || value.get<double>() < 0 || value.get<double>() > 1e15)
-    throw Mistake{quoted(name) + " must be a whole number of at least 0"};
-  return value.get<std::int64_t>();
+void Fields::exchange(const std::string& name, std::int64_t& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!field.is_number_integer() || field.get<double>() < 0 || field.get<double>() > 1e15)
+      throw Mistake{quoted(name) + " must be a whole number of at least 0"};
+    return field.get<std::int64_t>();
+  });
 }
 
-Index Fields::index(const std::string& name) { return as_index(state_->get(name), name); }
-
-std::vector<Index> Fields::indices(const std::string& name) {
-  const FieldJson& list = state_->get(name);
-  if (!list.is_array()) throw Mistake{quoted(name) + " must be a list of whole numbers"};
-  std::vector<Index> values;
-  for (const FieldJson& value : list) values.push_back(as_index(value, name));
-  return values;
+void Fields::exchange(const std::string& name, std::size_t& value) {
+  auto number = static_cast<std::int64_t>(value);
+  exchange(name, number);
+  value = static_cast<std::size_t>(number);
 }
 
-std::vector<std::string> Fields::names(const std::string& name) {
-  const FieldJson& list = state_->get(name);
-  std::vector<std::string> values;
-  if (list.is_array() && std::all_of(list.begin(), list.end(), [](const auto& value) { return value.is_string(); }))
-    values = list.get<std::vector<std::string>>();
-  if (values.empty()) throw Mistake{quoted(name) + " must be a list of names"};
-  return values;
+void Fields::exchange(const std::string& name, int& value) {
+  std::int64_t number = value;
+  exchange(name, number);
+  value = static_cast<int>(number);
 }
 
-std::vector<std::vector<double>> Fields::number_lists(const std::string& name) {
-  const FieldJson& lists = state_->get(name);
-  if (!lists.is_array() || lists.empty()) throw Mistake{quoted(name) + " must be a list of at least one list"};
-  std::vector<std::vector<double>> values;
-  for (const FieldJson& list : lists) values.push_back(number_list(list, name));
-  return values;
+void Fields::exchange(const std::string& name, Index& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) { return as_index(field, name); });
 }
 
-ParameterValue Fields::value(const std::string& name) {
-  const FieldJson& value = state_->get(name);
-  if (value.is_boolean()) return value.get<bool>();
-  if (value.is_number_integer()) return value.get<std::int64_t>();
-  if (value.is_number()) return value.get<double>();
-  if (value.is_string()) return value.get<std::string>();
-  throw Mistake{quoted(name) + " must be true, false, a number or a text"};
+void Fields::exchange(const std::string& name, std::vector<Index>& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!field.is_array()) throw Mistake{quoted(name) + " must be a list of whole numbers"};
+    std::vector<Index> values;
+    for (const FieldJson& element : field) values.push_back(as_index(element, name));
+    return values;
+  });
 }
 
-Vec2 Fields::pair(const std::string& name) {
-  const std::vector<double> numbers = number_list(state_->get(name), name);
-  if (numbers.size() != 2) throw Mistake{quoted(name) + " must be a pair of numbers"};
-  return {numbers[0], numbers[1]};
+void Fields::exchange(const std::string& name, std::vector<std::string>& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    const bool named = field.is_array() && !field.empty() &&
+                       std::ranges::all_of(field, [](const FieldJson& element) { return element.is_string(); });
+    if (!named) throw Mistake{quoted(name) + " must be a list of names"};
+    return field.get<std::vector<std::string>>();
+  });
 }
 
-Vec3 Fields::triple(const std::string& name) {
-  const std::vector<double> numbers = number_list(state_->get(name), name);
-  if (numbers.size() != 3) throw Mistake{quoted(name) + " must be three numbers"};
-  return {numbers[0], numbers[1], numbers[2]};
+void Fields::exchange(const std::string& name, std::vector<std::vector<double>>& value) {
+  state_->exchange(name, value, [&](const FieldJson& field) {
+    if (!field.is_array() || field.empty()) throw Mistake{quoted(name) + " must be a list of at least one list"};
+    std::vector<std::vector<double>> lists;
+    for (const FieldJson& list : field) lists.push_back(number_list(list, name));
+    return lists;
+  });
 }
 
-ModelPlace Fields::model_place(const std::string& name) { return has(name) ? ModelPlace(triple(name)) : std::nullopt; }
-
-void Fields::place(const std::string& name, Vec2& sketch, ModelPlace& model) {
-  const FieldJson& value = state_->get(name);
-  if (value.is_array() && value.size() == 3) {
-    model = triple(name);
-  } else {
-    sketch = pair(name);
+void Fields::exchange(const std::string& name, std::vector<Vec2>& value) {
+  std::vector<std::vector<double>> places;
+  for (const Vec2& place : value) places.emplace_back(place.begin(), place.end());
+  exchange(name, places);
+  value.clear();
+  for (const std::vector<double>& place : places) {
+    if (place.size() != 2) throw Mistake{quoted(name) + " must be a list of places of two numbers"};
+    value.emplace_back(place[0], place[1]);
   }
 }
 
-std::vector<std::string> Fields::modifiers() {
-  if (!has("modifiers")) return {};
-  const FieldJson& list = state_->get("modifiers");
-  if (!list.is_array()) throw Mistake{"\"modifiers\" must be a list of names"};
-  const auto is_key = [](const FieldJson& value) {
-    return value.is_string() &&
-           std::find(modifier_keys.begin(), modifier_keys.end(), value.get<std::string>()) != modifier_keys.end();
-  };
-  if (!std::all_of(list.begin(), list.end(), is_key))
-    throw Mistake{"\"modifiers\" may hold shift, ctrl, alt and super"};
-  return list.get<std::vector<std::string>>();
+void Fields::exchange(const std::string& name, std::vector<Vec3>& value) {
+  std::vector<std::vector<double>> places;
+  for (const Vec3& place : value) places.emplace_back(place.begin(), place.end());
+  exchange(name, places);
+  value.clear();
+  for (const std::vector<double>& place : places) {
+    if (place.size() != 3) throw Mistake{quoted(name) + " must be a list of places of three numbers"};
+    value.emplace_back(place[0], place[1], place[2]);
+  }
+}
+
+void Fields::exchange(const std::string& name, Vec2& value) {
+  state_->exchange_vector(name, value, "a pair of numbers");
+}
+
+void Fields::exchange(const std::string& name, Vec3& value) { state_->exchange_vector(name, value, "three numbers"); }
+
+void Fields::exchange(const std::string& name, ParameterValue& value) {
+  FieldJson json = std::visit([](const auto& held) { return FieldJson(held); }, value);
+  state_->exchange(name, json, [](const FieldJson& field) { return field; });
+  if (!reads()) return;
+  if (json.is_boolean()) {
+    value = json.get<bool>();
+  } else if (json.is_number_integer()) {
+    value = json.get<std::int64_t>();
+  } else if (json.is_number()) {
+    value = json.get<double>();
+  } else if (json.is_string()) {
+    value = json.get<std::string>();
+  } else {
+    throw Mistake{quoted(name) + " must be true, false, a number or a text"};
+  }
+}
+
+void Fields::place(const std::string& name, Vec2& sketch, ModelPlace& model) {
+  if (const FieldJson* field = reads() ? state_->find(name) : nullptr)
+    model = field->is_array() && field->size() == 3 ? ModelPlace(Vec3::Zero()) : std::nullopt;
+  if (model) {
+    exchange(name, *model);
+  } else {
+    exchange(name, sketch);
+  }
+}
+
+void Fields::modifiers(std::vector<std::string>& modifiers) {
+  if (reads() ? !has("modifiers") : modifiers.empty()) return;
+  state_->exchange("modifiers", modifiers, [](const FieldJson& field) {
+    if (!field.is_array()) throw Mistake{"\"modifiers\" must be a list of names"};
+    const bool known = std::ranges::all_of(field, [](const FieldJson& key) {
+      return key.is_string() && std::ranges::find(modifier_keys, key.get<std::string>()) != modifier_keys.end();
+    });
+    if (!known) throw Mistake{"\"modifiers\" may hold shift, ctrl, alt and super"};
+    return field.get<std::vector<std::string>>();
+  });
 }
 
 void Fields::refuse_unknown() const {
@@ -188,5 +259,7 @@ void Fields::refuse_unknown() const {
     if (!state_->known.contains(name)) throw Mistake{quoted(name) + " means nothing here"};
   }
 }
+
+std::string Fields::line() const { return state_->object.dump(-1, ' ', false, FieldJson::error_handler_t::replace); }
 
 }  // namespace croquis::recorded

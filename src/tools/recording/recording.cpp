@@ -5,9 +5,14 @@
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/tools/recording/vocabulary.h"
 
 namespace croquis::recorded {
 namespace {
+
+bool has_verb(const StepKind& kind, const std::string& verb) {
+  return std::find(kind.verbs.begin(), kind.verbs.end(), verb) != kind.verbs.end();
+}
 
 Finding finding_of(const Mistake& mistake, const std::string& file, std::int64_t line) {
   return make_error(Category::Malformed, "E_REPLAY",
@@ -23,6 +28,41 @@ Step read_line(std::string_view line, const Vocabulary& vocabulary) {
 }
 
 }  // namespace
+
+void Vocabulary::add(const StepKind& kind) {
+  for (const StepKind* known : kinds_) {
+    for (const std::string& verb : kind.verbs) {
+      if (known->mark != kind.mark || !has_verb(*known, verb)) continue;
+      throw Error(make_error(Category::Internal, "E_INTERNAL", "Two recorded steps are called '" + verb + "'."));
+    }
+  }
+  kinds_.push_back(&kind);
+}
+
+void Vocabulary::add(const Vocabulary& other) {
+  for (const StepKind* kind : other.kinds_) add(*kind);
+  counts_.insert(counts_.end(), other.counts_.begin(), other.counts_.end());
+  ranges_.insert(ranges_.end(), other.ranges_.begin(), other.ranges_.end());
+}
+
+const StepKind& Vocabulary::kind_of(Fields& fields) const {
+  std::string verb;
+  fields.required("do", verb);
+  const StepKind* unmarked = nullptr;
+  std::string marks;
+  for (const StepKind* kind : kinds_) {
+    if (!has_verb(*kind, verb)) continue;
+    if (kind->mark.empty()) {
+      unmarked = kind;
+    } else if (fields.has(kind->mark)) {
+      return *kind;
+    } else {
+      marks += (marks.empty() ? "\"" : " or \"") + kind->mark + '"';
+    }
+  }
+  if (unmarked != nullptr) return *unmarked;
+  throw Mistake{marks.empty() ? "there is no step \"" + verb + '"' : marks + " is missing"};
+}
 
 std::vector<Line> parse(std::string_view text, const std::string& name, const Vocabulary& vocabulary) {
   std::vector<Line> lines;
@@ -46,11 +86,12 @@ std::vector<Line> parse(std::string_view text, const std::string& name, const Vo
 }
 
 std::string to_line(const Step& step) {
-  FieldWriter writer;
+  Fields fields;
   const StepKind& kind = step.kind();
-  if (kind.verbs.size() == 1) writer.verb(kind.verbs.front());
-  kind.write(step, writer);
-  return writer.line();
+  std::string verb = kind.verbs.front();
+  if (kind.verbs.size() == 1) fields.required("do", verb);
+  kind.write(step, fields);
+  return fields.line();
 }
 
 }  // namespace croquis::recorded

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 
 #include <catch2/catch.hpp>
 
@@ -20,34 +21,19 @@ struct Measure {
   std::string unit = "mm";
   bool shown = true;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"weigh"};
+  void describe(Fields& fields) {
+    fields.required("from", from);
+    fields.required("vertices", vertices);
+    fields.given("unit", unit, Words{"mm", "inch"});
+    fields.required("shown", shown);
+  }
 };
-
-Measure read_measure(Fields& fields) {
-  Measure step;
-  step.from = fields.triple("from");
-  step.vertices = fields.indices("vertices");
-  if (fields.has("unit")) step.unit = fields.one_of("unit", {"mm", "inch"});
-  step.shown = fields.flag("shown");
-  return step;
-}
-
-void write_measure(const Measure& step, FieldWriter& writer) {
-  writer.triple("from", step.from);
-  writer.indices("vertices", step.vertices);
-  writer.text("unit", step.unit);
-  writer.flag("shown", step.shown);
-}
-
-const StepKind& Measure::step_kind() {
-  static const StepKind kind = make_step_kind({"weigh"}, read_measure, write_measure);
-  return kind;
-}
 
 Vocabulary with_measures() {
   Vocabulary vocabulary;
   vocabulary.add(all_steps());
-  vocabulary.add(Measure::step_kind());
+  vocabulary.add(step_kind<Measure>());
   vocabulary.add_count("measures");
   vocabulary.add_range("length");
   return vocabulary;
@@ -119,7 +105,7 @@ TEST_CASE("steps that share a verb are told apart by a field, and may not share 
   CHECK(mistake_in(R"({"do":"drag","by":[1,2]})", mesh_steps()) == "\"from\" is missing.");
   CHECK(mistake_in(R"({"do":"drag","by":[1,2]})", all_steps()) == "\"stroke\" is missing.");
   Vocabulary twice = with_measures();
-  CHECK_THROWS_AS(twice.add(Measure::step_kind()), Error);
+  CHECK_THROWS_AS(twice.add(step_kind<Measure>()), Error);
   CHECK_THROWS_AS(twice.add(mesh_steps()), Error);
 }
 

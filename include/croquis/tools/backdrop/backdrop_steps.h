@@ -13,11 +13,13 @@ struct BackdropSetting {
   double opacity = 1;          ///< 0..1
   bool visible = true;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"backdrop"};
+  void describe(Fields& fields);
 };
 
 struct BackdropRemoval {
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"remove-backdrop"};
+  void describe(Fields&) {}
 };
 
 const Vocabulary& backdrop_steps();

@@ -18,7 +18,8 @@ struct HoleChoice {
   std::string node = {};             ///< the operation that fills them; empty for that of the object worked on
   std::optional<double> up_to = {};  ///< of "fill" instead of holes: all inner ones up to that width, no others
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"hole"};
+  void describe(Fields& fields);
 };
 /// Patches are to be made in another way; what isn't there stays as it was.
 struct HoleWay {
@@ -29,7 +30,8 @@ struct HoleWay {
   std::optional<std::int64_t> trim_rim = {};  ///< rings of faces
   std::string node = {};                      ///< as above
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"hole-way"};
+  void describe(Fields& fields);
 };
 /// A place that a patch goes through was moved, made or taken away; see moved_through.
 struct HolePoint {
@@ -38,7 +40,8 @@ struct HolePoint {
   ModelPlace to = {};     ///< where it is now; none: it is taken away. One of both is there
   std::string node = {};  ///< as above
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"hole-point"};
+  void describe(Fields& fields);
 };
 
 /// All of them, and the counts of holes and patches.

@@ -11,7 +11,8 @@ namespace croquis::recorded {
 struct Measure {
   std::vector<Vec3> places;  ///< one to three
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"measure"};
+  void describe(Fields& fields);
 };
 
 const Vocabulary& measure_steps();

@@ -18,7 +18,9 @@ struct ModelDrag {
   Vec3 to = Vec3::Zero();
   std::vector<std::string> modifiers;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"drag"};
+  static constexpr const char* mark = "from";  ///< strokes are dragged, too
+  void describe(Fields& fields);
 };
 struct Pick {
   std::string node;
@@ -27,7 +29,8 @@ struct Pick {
   std::string how =
       "replace";  ///< "replace", "add", "remove", "toggle", "loop", "ring", "path", "connected", "chain", "all"
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"pick"};
+  void describe(Fields& fields);
 };
 /// Any edit, of the elements that its line names.
 struct EditStep {
@@ -35,14 +38,19 @@ struct EditStep {
   EditLine line;
   bool again = false;  ///< instead of the edit before it, which differs in its parameters
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"edit"};
+  void describe(Fields& fields);
 };
 /// What is selected was moved, turned or scaled.
 struct Move {
   std::string node;
   Vec3 by = Vec3::Zero();
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"move"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.required("by", by);
+  }
 };
 struct Rotate {
   std::string node;
@@ -50,14 +58,20 @@ struct Rotate {
   double degrees = 0;
   ModelPlace pivot = {};  ///< without it the middle of what is selected
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"rotate"};
+  void describe(Fields& fields);
 };
 struct Scale {
   std::string node;
   Vec3 factors = {1, 1, 1};
   ModelPlace pivot = {};
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"scale"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.required("factors", factors);
+    fields.seldom("pivot", pivot);
+  }
 };
 /// Edges got a sharpness, or theirs changed.
 struct Tag {
@@ -67,13 +81,18 @@ struct Tag {
   std::optional<double> sharpness;  ///< this or …
   std::optional<double> change;     ///< … that; of the selected edges
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"tag"};
+  void describe(Fields& fields);
 };
 struct Pin {
   std::string node;
   bool pinned = true;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"pin"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.given("pinned", pinned);
+  }
 };
 /// A named set of tags.
 struct TagSet {
@@ -83,20 +102,26 @@ struct TagSet {
   std::string other;                ///< rename: the new name; merge: the set that is taken in
   std::optional<double> sharpness;  ///< make, sharpness
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"tag-set"};
+  void describe(Fields& fields);
 };
 struct Extrude {
   std::string node;
   Vec3 by = Vec3::Zero();
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"extrude"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.required("by", by);
+  }
 };
 struct LoopCut {
   std::string node;
   Index edge = 0;
   double at = 0.5;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"loop-cut"};
+  void describe(Fields& fields);
 };
 
 /// All of them, the count of sharp edges and the range of their dihedral angles.

@@ -23,7 +23,8 @@ struct SheetStroke {
   double scale = 1;                 ///< px of the sheet per pixel of the view drawn in
   std::vector<StrokeGroup> groups;  ///< that were found for its strokes, one each; empty: found again
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-stroke"};
+  void describe(Fields& fields);
 };
 
 /// A point of a stroke (see points_of), or without one the whole stroke, was dragged.
@@ -33,7 +34,13 @@ struct SheetDrag {
   Vec2 by = Vec2::Zero();
   bool alone = false;  ///< an end without the others at its vertex
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-drag"};
+  void describe(Fields& fields) {
+    fields.required("stroke", stroke);
+    fields.seldom("point", point);
+    fields.required("by", by);
+    fields.seldom("alone", alone);
+  }
 };
 
 /// The vanishing point of an axis was dragged.
@@ -41,7 +48,8 @@ struct SheetAim {
   int axis = 0;
   Vec2 at = Vec2::Zero();
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-aim"};
+  void describe(Fields& fields);
 };
 
 /// What a stroke is was set.
@@ -49,20 +57,23 @@ struct SheetSetting {
   std::vector<std::string> strokes;
   StrokeSetting setting;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-set"};
+  void describe(Fields& fields);
 };
 
 struct SheetDelete {
   std::vector<std::string> strokes;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-delete"};
+  void describe(Fields& fields) { fields.required("strokes", strokes); }
 };
 
 /// A place whose point in space is known; without both, none is.
 struct SheetPoint {
   std::optional<KnownPoint> known;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-point"};
+  void describe(Fields& fields);
 };
 
 /// The length of a stroke in space; without one, none is known.
@@ -70,14 +81,19 @@ struct SheetLength {
   std::string stroke;
   std::optional<double> length;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-length"};
+  void describe(Fields& fields) {
+    fields.required("stroke", stroke);
+    fields.seldom("length", length);
+  }
 };
 
 /// The unit of lengths: "mm", "cm", "m", "in"; empty: none.
 struct SheetUnit {
   std::string unit;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-unit"};
+  void describe(Fields& fields);
 };
 
 /// One set of faces was chosen among several that fit: each face by its strokes, "s1+s2+s3".
@@ -85,7 +101,8 @@ struct SheetFaces {
   std::vector<std::string> required;
   std::vector<std::string> forbidden;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-choose-faces"};
+  void describe(Fields& fields);
 };
 
 /// What is known of the camera; what isn't given isn't known.
@@ -93,7 +110,8 @@ struct SheetCamera {
   std::optional<double> field_of_view;  ///< radians; degrees in recordings
   std::optional<Vec2> principal_point;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-camera"};
+  void describe(Fields& fields);
 };
 
 /// Something was put on a list of the operation, or taken off.
@@ -102,7 +120,8 @@ struct SheetChoice {
   std::string item;  ///< a stroke, or the strokes of a face: "s1+s2+s3"
   bool on = true;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-choose"};
+  void describe(Fields& fields);
 };
 
 /// What a mirror adds was accepted.
@@ -110,17 +129,19 @@ struct SheetMirror {
   MirrorPlane plane;
   std::vector<PerspectiveStroke> strokes;  ///< that it added: shape and group; empty: found again
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-mirror"};
+  void describe(Fields& fields);
 };
 
-/// All of them, and what can be counted of a perspective drawing.
 /// The sheet got another size, px; strokes keep their places.
 struct SheetSize {
   Vec2 size = Vec2::Zero();
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"perspective-sheet"};
+  void describe(Fields& fields);
 };
 
+/// All of them, and what can be counted of a perspective drawing.
 const Vocabulary& perspective_steps();
 
 }  // namespace croquis::recorded

@@ -17,25 +17,33 @@ namespace croquis::recorded {
 struct Action {
   std::string name;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"action"};
+  void describe(Fields& fields) { fields.required("name", name); }
 };
 struct Set {
   std::string node;  ///< its name
   std::string parameter;
   ParameterValue value;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"set"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.required("parameter", parameter);
+    fields.required("value", value);
+  }
 };
 /// Waits until something is finished.
 struct Wait {
   std::string what = "solid";
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"wait"};
+  void describe(Fields& fields) { fields.required("for", what); }
 };
 struct Screenshot {
   std::string file;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"screenshot"};
+  void describe(Fields& fields) { fields.required("file", file); }
 };
 struct File {
   std::string verb;  ///< "save", "open" or "export"
@@ -45,7 +53,8 @@ struct File {
   std::string unit = {};     ///< … and the unit of the file's lengths; empty: the document's
   bool traces = false;       ///< "open": a picture's lines become strokes
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"save", "open", "export"};
+  void describe(Fields& fields);
 };
 struct Click {
   std::string view = "sketch";
@@ -54,7 +63,8 @@ struct Click {
   ModelPlace place = {};               ///< instead of `at`
   int clicks = 1;                      ///< 2: a double click
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"click"};
+  void describe(Fields& fields);
 };
 struct Box {
   std::string view = "sketch";
@@ -64,34 +74,42 @@ struct Box {
   ModelPlace from_place = {};  ///< both places or none; instead of `from` …
   ModelPlace to_place = {};    ///< … and `to`
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"box"};
+  void describe(Fields& fields);
 };
 struct Navigate {
   std::string view = "perspective";
   std::string motion;      ///< "tumble", "track" or "dolly"
   Vec2 by = Vec2::Zero();  ///< pixels of a view 1000 pixels high, y down; of a dolly only x and y's sum matters
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"navigate"};
+  void describe(Fields& fields);
 };
 /// Objects or steps of their chains were selected.
 struct NodeChoice {
   std::vector<std::string> nodes;  ///< their names, at least one
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"select"};
+  void describe(Fields& fields) { fields.required("nodes", nodes); }
 };
 /// Faces were selected by the names of their sets.
 struct FaceSetChoice {
   std::string node;                ///< the object's name
   std::vector<std::string> names;  ///< "patches", "patch of hole 3" …
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"face-set"};
+  void describe(Fields& fields) {
+    fields.required("node", node);
+    fields.required("names", names);
+  }
 };
 /// Objects were moved, rotated or scaled.
 struct Place {
   std::vector<std::string> nodes;  ///< the objects' names, at least one
   std::vector<Placement> places;   ///< of each: where it stands now
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"place"};
+  void describe(Fields& fields);
 };
 /// Fails the replay when it isn't so.
 struct Expect {
@@ -101,7 +119,8 @@ struct Expect {
   std::optional<double> to = {};     ///< … or the greatest is this, if `value` is to be the smallest
   std::string node = {};             ///< whose result is meant; empty for the object worked on
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"expect"};
+  void describe(Fields& fields);
 };
 
 /// All of them, and what can be counted of every document: objects, findings, selected elements, elements of a mesh.

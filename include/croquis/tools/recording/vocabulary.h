@@ -32,4 +32,14 @@ class Vocabulary {
   std::vector<std::string> ranges_;
 };
 
+/// The vocabulary of a tool.
+template <StepValue... Steps>
+Vocabulary vocabulary_of(const std::vector<std::string>& counts, const std::vector<std::string>& ranges = {}) {
+  Vocabulary made;
+  (made.add(step_kind<Steps>()), ...);
+  for (const std::string& count : counts) made.add_count(count);
+  for (const std::string& range : ranges) made.add_range(range);
+  return made;
+}
+
 }  // namespace croquis::recorded

@@ -21,7 +21,8 @@ struct StrokeDrawn {
   double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
   bool behind = false;               ///< drawn with the right button, or with Shift: behind what is there
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"stroke"};
+  void describe(Fields& fields);
 };
 /// An anchor of a stroke, or without one the whole stroke, was dragged.
 struct Drag {
@@ -29,7 +30,12 @@ struct Drag {
   std::optional<std::size_t> anchor;  ///< 0-based
   Vec2 by = Vec2::Zero();
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"drag"};
+  void describe(Fields& fields) {
+    fields.required("stroke", stroke);
+    fields.seldom("anchor", anchor);
+    fields.required("by", by);
+  }
 };
 
 /// How a stroke that is drawn already is to be read; one of these.
@@ -39,7 +45,8 @@ struct StrokeReading {
   std::optional<std::string> in_front_of = {};      ///< id of the stroke that it crosses
   std::optional<double> thickness = {};             ///< factor of the depth of the part that it bounds, above 0
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"stroke-set"};
+  void describe(Fields& fields);
 };
 
 /// All of them, and what can be counted: strokes, and how they are read.

@@ -30,7 +30,8 @@ struct SurfaceStroke {
   CurveEnd end;
   std::string face;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-stroke"};
+  void describe(Fields& fields);
 };
 
 /// Elements were moved, or a handle of a curve.
@@ -40,35 +41,40 @@ struct SurfaceDrag {
   Vec3 by = Vec3::Zero();
   std::string into;  ///< the node that the dragged one was merged into
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-drag"};
+  void describe(Fields& fields);
 };
 
 /// A loop of curves, in any order, became a patch.
 struct SurfacePatch {
   std::vector<std::string> curves;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-patch"};
+  void describe(Fields& fields) { fields.required("curves", curves); }
 };
 
 /// A point attribute was put on a patch.
 struct SurfacePoint {
   NewPoint point;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-point"};
+  void describe(Fields& fields);
 };
 
 struct SurfacePointSetting {
   std::vector<std::string> points;
   PointSetting setting;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-set-points"};
+  void describe(Fields& fields);
 };
 
 struct SurfaceJoin {
   std::vector<std::string> curves;
   CurveJoin join = CurveJoin::Smooth;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-join"};
+  void describe(Fields& fields);
 };
 
 struct SurfaceFaceSetting {
@@ -76,7 +82,8 @@ struct SurfaceFaceSetting {
   FaceSetting setting;
   bool turned = false;  ///< the loops were turned round
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-set-faces"};
+  void describe(Fields& fields);
 };
 
 /// The slope of a patch along a curve; with neither normal nor magnitude, it is found automatically again.
@@ -84,7 +91,8 @@ struct SurfaceSlope {
   SlopeSide side;
   std::optional<SlopeHandle> handle;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-slope"};
+  void describe(Fields& fields);
 };
 
 /// An inner curve was set, or with a face but without a setting added or taken away.
@@ -94,7 +102,8 @@ struct SurfaceInner {
   bool removed = false;
   InnerSetting setting;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-inner"};
+  void describe(Fields& fields);
 };
 
 struct SurfaceSplit {
@@ -102,39 +111,45 @@ struct SurfaceSplit {
   std::optional<double> at;  ///< fraction of the curve's arc length …
   std::string face;          ///< … or instead the face that the curve splits
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-split"};
+  void describe(Fields& fields);
 };
 
 /// Two faces became one by deleting the curve between them.
 struct SurfaceMerge {
   std::string curve;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-merge"};
+  void describe(Fields& fields) { fields.required("curve", curve); }
 };
 
 struct SurfaceDelete {
   NetworkElements elements;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-delete"};
+  void describe(Fields& fields);
 };
 
 struct SurfaceMirror {
   SymmetryPlane plane;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-mirror"};
+  void describe(Fields& fields);
 };
 
 /// Edits are done on both sides of a plane from now on; without one, no longer.
 struct SurfaceSymmetry {
   std::optional<SymmetryPlane> plane;
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-symmetry"};
+  void describe(Fields& fields);
 };
 
 struct SurfaceChoice {
   NetworkElements elements;  ///< selected
 
-  static const StepKind& step_kind();
+  static constexpr std::array verbs{"surface-select"};
+  void describe(Fields& fields);
 };
 
 /// All of them, with the counts "surface-nodes", "surface-curves", "surface-faces", "surface-points",

@@ -28,7 +28,8 @@ std::size_t count_patches(const WorkObject& object) {
 }  // namespace
 
 std::vector<const recorded::StepKind*> HoleFillingTool::steps() const {
-  return {&recorded::HoleChoice::step_kind(), &recorded::HoleWay::step_kind(), &recorded::HolePoint::step_kind()};
+  return {&recorded::step_kind<recorded::HoleChoice>(), &recorded::step_kind<recorded::HoleWay>(),
+          &recorded::step_kind<recorded::HolePoint>()};
 }
 
 template <class HoleStep>

@@ -36,7 +36,7 @@ class MeasuringTool final : public Tool {
   bool delete_selection() override;
   bool has_selection() const override { return active() && !tool_.places().empty(); }
 
-  std::vector<const recorded::StepKind*> steps() const override { return {&recorded::Measure::step_kind()}; }
+  std::vector<const recorded::StepKind*> steps() const override { return {&recorded::step_kind<recorded::Measure>()}; }
   bool replay(const recorded::Step& step) override;
   Expectations expectations() override;
 

@@ -17,7 +17,7 @@ std::optional<std::string> node_in(const recorded::Step& step) {
 
 template <class... Kinds>
 struct StepList {
-  static std::vector<const recorded::StepKind*> kinds() { return {&Kinds::step_kind()...}; }
+  static std::vector<const recorded::StepKind*> kinds() { return {&recorded::step_kind<Kinds>()...}; }
 
   static std::optional<std::string> node_of(const recorded::Step& step) {
     std::optional<std::string> node;
@@ -44,8 +44,8 @@ using CommandSteps =
 
 std::vector<const recorded::StepKind*> MeshEditingTool::steps() const {
   auto kinds = CommandSteps::kinds();
-  kinds.insert(kinds.end(),
-               {&recorded::ModelDrag::step_kind(), &recorded::Click::step_kind(), &recorded::Box::step_kind()});
+  kinds.insert(kinds.end(), {&recorded::step_kind<recorded::ModelDrag>(), &recorded::step_kind<recorded::Click>(),
+                             &recorded::step_kind<recorded::Box>()});
   return kinds;
 }
 

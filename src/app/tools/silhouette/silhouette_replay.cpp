@@ -30,8 +30,9 @@ std::size_t held_pairs(const InflateResult& inflated, silhouette::Hold hold) {
 }  // namespace
 
 std::vector<const recorded::StepKind*> SilhouetteTool::steps() const {
-  return {&recorded::StrokeDrawn::step_kind(), &recorded::Drag::step_kind(), &recorded::Click::step_kind(),
-          &recorded::Box::step_kind(), &recorded::StrokeReading::step_kind()};
+  return {&recorded::step_kind<recorded::StrokeDrawn>(), &recorded::step_kind<recorded::Drag>(),
+          &recorded::step_kind<recorded::Click>(), &recorded::step_kind<recorded::Box>(),
+          &recorded::step_kind<recorded::StrokeReading>()};
 }
 
 bool SilhouetteTool::replay(const recorded::Step& step) {
