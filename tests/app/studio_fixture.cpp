@@ -8,7 +8,7 @@
 #include <QTabletEvent>
 #include <QTest>
 
-#include "app/panels/object_list.h"
+#include "app/panels/lists.h"
 #include "support/sanitizers.h"
 
 namespace croquis::test {

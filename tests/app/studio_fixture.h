@@ -27,8 +27,8 @@ class StudioFixture {
   app::MainWindow& window() { return *window_; }
   app::Viewport& viewport() { return window_->viewport(); }
   app::Studio& studio() { return window_->studio(); }
-  app::SketchInteraction& sketch() { return window_->tool<app::SilhouetteTool>().sketch(); }
-  app::MeshInteraction& mesh() { return window_->tool<app::MeshEditingTool>().mesh(); }
+  app::SilhouetteTool& sketch() { return window_->tool<app::SilhouetteTool>(); }
+  app::MeshEditingTool& mesh() { return window_->tool<app::MeshEditingTool>(); }
   app::HoleInteraction& holes() { return window_->tool<app::HoleFillingTool>().holes(); }
   QString folder() const { return folder_.path(); }
 

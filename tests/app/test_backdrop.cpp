@@ -11,7 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
-#include "app/files/picture_reader.h"
+#include "app/files/file_reader.h"
 #include "app/studio_fixture.h"
 #include "app/tools/backdrop/backdrop_tool.h"
 #include "croquis/base/error.h"

@@ -9,7 +9,6 @@
 
 #include "app/hole_scans.h"
 #include "app/panels/lists.h"
-#include "app/panels/object_list.h"
 #include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
 #include "croquis/document/content_hash.h"
@@ -75,9 +74,8 @@ void draw_and_inset(StudioFixture& hand) {
   draw_ball(hand);
   hand.act("face-mode");
   hand.settle();
-  app::ReplayPlayer(hand.window())
-      .play(recorded::parse(R"({"do":"edit","node":"inflate","line":"inset faces=100-102 width=0.02"})", "edits.jsonl",
-                            recorded::all_steps()));
+  app::play(hand.window(), recorded::parse(R"({"do":"edit","node":"inflate","line":"inset faces=100-102 width=0.02"})",
+                                           "edits.jsonl", recorded::all_steps()));
   hand.settle();
 }
 

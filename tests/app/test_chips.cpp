@@ -11,7 +11,7 @@
 
 #include "app/panels/lists.h"
 #include "app/studio_fixture.h"
-#include "app/views/chip_space.h"
+#include "app/views/view_chips.h"
 #include "support/random.h"
 #include "support/sketches/sketch_gallery.h"
 
@@ -165,7 +165,7 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
       const QPointF at = view.sketch_to_widget(mark.at);
       if (!view.pane(Viewport::SketchView).rect.contains(at)) continue;
       hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
-      CHECK(hand.sketch().told_finding().contains(mark.sentence));
+      CHECK(hand.sketch().tooltip().contains(mark.sentence));
     }
     hand.studio().session().mark_saved();
   }

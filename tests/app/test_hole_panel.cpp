@@ -8,9 +8,9 @@
 #include <QTest>
 
 #include "app/hole_scans.h"
-#include "app/panels/size_slider.h"
 #include "app/replay/replay_player.h"
 #include "app/tools/holes/hole_panel.h"
+#include "app/tools/holes/hole_table.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
 #include "support/meshes/mesh_shapes.h"
@@ -145,7 +145,7 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   hand.act("fill-selected");
   hand.settle();
   REQUIRE(count(hand, HoleState::Filled) == 4);
-  holes(hand).set_bulge(0.3, false);
+  holes(hand).set_way({.bulge = 0.3}, false);
   hand.settle();
   SECTION("reopen all") {
     hand.act("reopen-all");
@@ -198,12 +198,12 @@ TEST_CASE("patches are coloured too where rims were trimmed and where the model 
   hand.act("tint-patches");
   const double tinted = share_of_yellow();
   CHECK(tinted > 0.02);
-  holes(hand).set_trim(1);
+  holes(hand).set_way({.trim_rim = 1});
   CHECK(share_of_yellow() > 0.8 * tinted);
   hand.act("tint-patches");
   CHECK(share_of_yellow() < 0.2 * tinted);
   hand.act("tint-patches");
-  holes(hand).set_trim(0);
+  holes(hand).set_way({.trim_rim = 0});
   holes(hand).set_mode("remesh");
   CHECK(share_of_yellow() > 0.8 * tinted);
   CHECK(!child<QLabel>(hand, "remesh-estimate").isVisible());
@@ -238,7 +238,7 @@ TEST_CASE("the line below speaks of what is there: holes, and files that can't b
   hand.settle();
   for (const char* tool : {"select", "move", "rotate"}) {
     hand.act(tool);
-    hand.mesh().set_mode(MeshMode::Object);
+    hand.mesh().set_mesh_mode(MeshMode::Object);
     CHECK(label(hand, "help-line").startsWith("O goes back to its holes"));
   }
   const QString damaged = hand.folder() + "/damaged.ply";

@@ -10,8 +10,6 @@
 #include "app/hole_scans.h"
 #include "app/panels/attribute_panel.h"
 #include "app/panels/lists.h"
-#include "app/panels/parameter_field.h"
-#include "app/panels/size_slider.h"
 #include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
 #include "app/tools/holes/hole_panel.h"
@@ -124,9 +122,9 @@ TEST_CASE("filling up to a size and ways of patches are recorded as what was don
   hand.window().findChild<QPushButton*>("fill-sizes")->click();
   hand.settle();
   holes(hand).select({1});
-  for (const double bulge : {0.1, 0.2}) holes(hand).set_bulge(bulge, true);
-  holes(hand).set_bulge(0.3, false);
-  holes(hand).set_bulge(0.3, false);  // nothing new
+  for (const double bulge : {0.1, 0.2}) holes(hand).set_way({.bulge = bulge}, true);
+  holes(hand).set_way({.bulge = 0.3}, false);
+  holes(hand).set_way({.bulge = 0.3}, false);  // nothing new
   hand.act("deselect");
   hand.act("way-smooth");
   hand.settle();
@@ -137,12 +135,12 @@ TEST_CASE("filling up to a size and ways of patches are recorded as what was don
   CHECK(text.find(R"({"do":"hole-way","holes":[],"fairness":"smooth"})") != std::string::npos);
 
   StudioFixture other;
-  app::ReplayPlayer(other.window()).play(recorded::parse(text, "session.jsonl", recorded::all_steps()));
+  app::play(other.window(), recorded::parse(text, "session.jsonl", recorded::all_steps()));
   CHECK(other.studio().session().undo_labels() == hand.studio().session().undo_labels());
   CHECK(content_hash(other.studio().session().document()) == content_hash(hand.studio().session().document()));
   const auto steps =
       recorded::parse(R"({"do":"hole-way","holes":[99],"bulge":0.3})", "bad.jsonl", recorded::all_steps());
-  CHECK_THROWS_AS(app::ReplayPlayer(other.window()).play(steps), Error);
+  CHECK_THROWS_AS(app::play(other.window(), steps), Error);
 }
 
 TEST_CASE("what was left open on purpose is said with its name, and is no fault", "[holes]") {
@@ -169,7 +167,7 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
                          .arg(opened.edges));
   CHECK(is_calm());
   hand.act("deselect");
-  holes(hand).set_trim(1);
+  holes(hand).set_way({.trim_rim = 1});
   CHECK(checked().contains("otherwise sound: manifold, 0 new intersections, rims trimmed, else unchanged"));
   CHECK(is_calm());
 }
@@ -198,8 +196,8 @@ TEST_CASE("the way of a patch belongs to what is selected, else to all, and a dr
   const std::size_t steps = hand.studio().session().undo_labels().size();
   holes(hand).select({0});
   const PolyMesh before = filled_mesh(hand);
-  for (const double bulge : {0.1, 0.2, 0.3}) holes(hand).set_bulge(bulge, true);
-  holes(hand).set_bulge(0.4, false);
+  for (const double bulge : {0.1, 0.2, 0.3}) holes(hand).set_way({.bulge = bulge}, true);
+  holes(hand).set_way({.bulge = 0.4}, false);
   hand.settle();
   CHECK(hand.studio().session().undo_labels().size() == steps + 1);
   CHECK(last_step(hand) == "Bulge of hole 0");
@@ -217,7 +215,7 @@ TEST_CASE("an open hole's way shows in its preview and leaves it open", "[hole-w
   hand.settle();
   const auto before = holes(hand).preview().item();
   REQUIRE(before != nullptr);
-  holes(hand).set_bulge(0.5, false);
+  holes(hand).set_way({.bulge = 0.5}, false);
   hand.settle();
   CHECK(holes(hand).preview().item() != before);
   CHECK(count(hand, HoleState::Open) == 6);
@@ -292,7 +290,7 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   hand.act("fill-selected");
   hand.settle();
   holes(hand).select({3});
-  holes(hand).set_bulge(0.25, false);
+  holes(hand).set_way({.bulge = 0.25}, false);
   hand.act("fill-inner");
   hand.settle();
   holes(hand).select({5});
@@ -310,8 +308,8 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   CHECK(back.channel("confidence", Domain::Vertex) != nullptr);
 
   StudioFixture other;
-  app::ReplayPlayer(other.window())
-      .play(recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
+  app::play(other.window(),
+            recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
   CHECK(content_hash(other.studio().session().document()) == done);
   StudioFixture third;
   REQUIRE(third.window().open(project));
@@ -365,7 +363,7 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   holes(hand).select({3});
   double longest = longest_turn_ms(hand);
   const double previewed = holes(hand).preview().last_latency_ms();
-  holes(hand).set_bulge(0.2, false);
+  holes(hand).set_way({.bulge = 0.2}, false);
   longest = std::max(longest, longest_turn_ms(hand));
   WARN(triangles << " triangles: preview " << previewed << " ms, of another bulge "
                  << holes(hand).preview().last_latency_ms() << " ms");
@@ -428,7 +426,7 @@ TEST_CASE("two selected rims are bridged by one band; trimming takes faces along
   hand.act("redo");
   hand.settle();
   CHECK(filled_mesh(hand).face_count() == bridged);
-  holes(hand).set_trim(1);
+  holes(hand).set_way({.trim_rim = 1});
   hand.settle();
   CHECK(count(hand, HoleState::Filled) == 2);
   CHECK(rims_of(filled_mesh(hand)) == 2);

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/studio_fixture.h"
-#include "app/views/event_clock.h"
+#include "app/views/pointer_events.h"
 #include "app/x_pointer.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
@@ -324,7 +324,7 @@ TEST_CASE("of moves that waited for a busy window only the newest is looked at, 
   hand.act("vertex-mode");
   hand.settle();
   int changes = 0;
-  QObject::connect(&hand.mesh(), &app::MeshInteraction::changed, [&] { ++changes; });
+  QObject::connect(&hand.mesh(), &app::Tool::changed, [&] { ++changes; });
   const WorkObject* mug = hand.studio().active();
   REQUIRE(mug != nullptr);
   const QPointF vertex = view.model_to_widget(mug->shown()->positions.front(), Viewport::PerspectiveView);

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include "app/panels/lists.h"
-#include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
 #include "app/window/theme.h"
 #include "croquis/document/content_hash.h"

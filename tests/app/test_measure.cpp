@@ -48,9 +48,8 @@ TEST_CASE("clicked corners of a cube are measured, shown, copied, recorded and p
   hand.act("deselect");
   hand.picture();
   CHECK(shown_values(hand).isEmpty());
-  app::ReplayPlayer(hand.window())
-      .play(recorded::parse(lines + R"({"do":"expect","what":"measured","value":2})" + "\n", "measure.jsonl",
-                            recorded::all_steps()));
+  app::play(hand.window(), recorded::parse(lines + R"({"do":"expect","what":"measured","value":2})" + "\n",
+                                           "measure.jsonl", recorded::all_steps()));
   CHECK(hand.window().tool<app::MeasuringTool>().measure().places().size() == 3);
   hand.act("select");
   hand.picture();

@@ -12,7 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/hand_on_meshes.h"
-#include "app/panels/parameter_field.h"
+#include "app/panels/attribute_panel.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/tools/recording/recording.h"
 #include "support/sketches/sketch_gallery.h"
@@ -38,7 +38,7 @@ void pick_faces(StudioFixture& hand, const Elements& faces) {
 /// What the work on meshes records.
 std::vector<std::string> recorded_by(StudioFixture& hand, const std::function<void()>& work) {
   std::vector<std::string> lines;
-  const auto connection = QObject::connect(&hand.mesh(), &app::MeshInteraction::committed,
+  const auto connection = QObject::connect(&hand.mesh(), &app::Tool::committed,
                                            [&](const auto& step) { lines.push_back(recorded::to_line(step)); });
   work();
   QObject::disconnect(connection);

@@ -10,13 +10,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/panels/lists.h"
-#include "app/panels/object_list.h"
 #include "app/replay/replay_player.h"
 #include "app/start/gallery.h"
 #include "app/studio_fixture.h"
-#include "app/tools/mesh/tag_panel.h"
-#include "app/tools/subdivision/chain_table.h"
-#include "app/tools/subdivision/smoothing.h"
+#include "app/tools/mesh/mesh_panels.h"
 #include "app/tools/subdivision/subdivision_tool.h"
 #include "app/window/theme.h"
 #include "croquis/document/content_hash.h"
@@ -366,8 +363,8 @@ TEST_CASE("a recorded session plays back to the same document", "[mesh-sessions]
   hand.settle();
   const ContentHash done = content_hash(hand.studio().session().document());
   StudioFixture other;
-  app::ReplayPlayer(other.window())
-      .play(recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
+  app::play(other.window(),
+            recorded::parse(read_file(recording.toStdString()), "session.jsonl", recorded::all_steps()));
   CHECK(content_hash(other.studio().session().document()) == done);
 }
 

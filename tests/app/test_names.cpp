@@ -7,7 +7,6 @@
 
 #include "app/dialogs.h"
 #include "app/panels/lists.h"
-#include "app/panels/object_list.h"
 #include "app/studio_fixture.h"
 #include "croquis/io/mesh_file.h"
 #include "support/meshes/mesh_shapes.h"

@@ -9,7 +9,7 @@
 
 #include "app/dialogs.h"
 #include "app/hand_on_meshes.h"
-#include "app/panels/object_list.h"
+#include "app/panels/lists.h"
 #include "app/views/viewport.h"
 #include "croquis/geometry/bounds.h"
 #include "croquis/io/file.h"

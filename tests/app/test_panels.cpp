@@ -10,8 +10,6 @@
 
 #include "app/panels/attribute_panel.h"
 #include "app/panels/lists.h"
-#include "app/panels/object_list.h"
-#include "app/panels/parameter_field.h"
 #include "app/start/gallery.h"
 #include "app/start/start_page.h"
 #include "app/studio_fixture.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/hole_scans.h"
-#include "app/panels/object_list.h"
+#include "app/panels/lists.h"
 #include "app/replay/replay_player.h"
 #include "app/tools/holes/hole_panel.h"
 #include "croquis/base/error.h"
@@ -94,14 +94,14 @@ TEST_CASE("each patch is a named set of faces, selected by the outliner and brou
   CHECK(selected_faces(hand).empty());
 
   StudioFixture other;
-  app::ReplayPlayer player(other.window());
   const std::string text = read_file(recording.toStdString());
-  player.play(recorded::parse(text, "session.jsonl", recorded::all_steps()));
+  app::play(other.window(), recorded::parse(text, "session.jsonl", recorded::all_steps()));
   CHECK(text.find(R"({"do":"face-set","node":"scan","names":["patch of hole 2"]})") != std::string::npos);
   CHECK(other.studio().session().selection() == hand.studio().session().selection());
-  CHECK_THROWS_AS(player.play(recorded::parse(R"({"do":"face-set","node":"scan","names":["patch of hole 99"]})",
-                                              "bad.jsonl", recorded::all_steps())),
-                  Error);
+  CHECK_THROWS_AS(
+      app::play(other.window(), recorded::parse(R"({"do":"face-set","node":"scan","names":["patch of hole 99"]})",
+                                                "bad.jsonl", recorded::all_steps())),
+      Error);
 }
 
 TEST_CASE("a frozen scan keeps its patches as sets of faces that can be worked on, in projects too", "[patches]") {
@@ -190,7 +190,7 @@ TEST_CASE("another kernel of one hole changes its patch alone", "[patch-views]")
   std::map<Index, std::vector<Vec3>> before;
   for (Index hole = 0; hole < 6; ++hole) before[hole] = places_of_patch(hand, hole);
   holes(hand).select({4});
-  holes(hand).set_kernel("biharmonic");
+  holes(hand).set_way({.kernel = "biharmonic"});
   hand.settle();
   CHECK(last_step(hand) == "Kernel biharmonic of hole 4");
   for (Index hole = 0; hole < 6; ++hole) {

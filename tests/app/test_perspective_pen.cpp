@@ -14,8 +14,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/studio_fixture.h"
-#include "app/tools/perspective/group_letters.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
+#include "app/tools/perspective/sheet_scene.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "support/perspective/solid_drawing.h"
 

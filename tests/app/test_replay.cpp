@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/replay/expectations.h"
 #include "app/replay/replay_player.h"
+#include "app/replay/replays.h"
 #include "app/studio_fixture.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/all_steps.h"
@@ -24,24 +24,16 @@ std::set<std::string> names_in(const Table& table) {
 std::set<std::string> as_set(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
 
 void play(StudioFixture& hand, const std::string& text) {
-  app::ReplayPlayer(hand.window()).play(recorded::parse(text, "session.jsonl", recorded::all_steps()));
+  app::play(hand.window(), recorded::parse(text, "session.jsonl", recorded::all_steps()));
 }
 
 TEST_CASE("the window plays every tool's steps, and counts and measures all that recordings may expect", "[replay]") {
-  std::set<const recorded::StepKind*> wanted;
-  for (const recorded::StepKind* kind : recorded::all_steps().kinds()) {
-    const auto& general = recorded::general_steps().kinds();
-    if (std::find(general.begin(), general.end(), kind) == general.end()) wanted.insert(kind);
-  }
   StudioFixture hand;
+  const app::Replays all = app::replays_of(hand.window());
   std::set<const recorded::StepKind*> played;
-  for (const auto& tool : hand.window().tools()) {
-    for (const recorded::StepKind* kind : tool->steps()) played.insert(kind);
-  }
-  // Clicks and boxes are general, and for the tools to do.
-  wanted.insert({&recorded::step_kind<recorded::Click>(), &recorded::step_kind<recorded::Box>()});
-  CHECK(played == wanted);
-  const app::Expectations all = app::expectations_of(hand.window());
+  for (const auto& [kind, plays] : all.plays) played.insert(kind);
+  const auto& kinds = recorded::all_steps().kinds();
+  CHECK(played == std::set<const recorded::StepKind*>(kinds.begin(), kinds.end()));
   CHECK(names_in(all.counts) == as_set(recorded::all_steps().counts()));
   CHECK(names_in(all.ranges) == as_set(recorded::all_steps().ranges()));
 }

@@ -9,10 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/studio_fixture.h"
-#include "app/tools/silhouette/joints.h"
-#include "app/tools/silhouette/outline_choices.h"
 #include "app/tools/silhouette/sketch_chip.h"
-#include "app/tools/silhouette/thickness_handle.h"
+#include "app/tools/silhouette/sketch_chips.h"
 #include "croquis/operators/inflate_result.h"
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/silhouette/stroke_setting.h"
@@ -396,7 +394,7 @@ TEST_CASE("the right button draws behind what is there; with the select tool it 
     const auto at = [&](const Vec2& place) { return hand.viewport().sketch_to_widget(place); };
     hand.send_mouse(QEvent::MouseButtonPress, at(places.front()), button, modifiers);
     for (const Vec2& place : places) hand.send_mouse(QEvent::MouseMove, at(place), button, modifiers);
-    if (hand.sketch().inking()) CHECK(hand.sketch().inks_behind());
+    if (const auto ink = hand.sketch().ink()) CHECK(ink->pale);
     hand.send_mouse(QEvent::MouseButtonRelease, at(places.back()), button, modifiers);
   };
   draw_with(Qt::RightButton, Qt::NoModifier);

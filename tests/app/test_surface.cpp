@@ -329,7 +329,7 @@ TEST_CASE("what a hand does to a network is recorded, and a recording makes the 
   REQUIRE(drawn(hand).points.size() == 1);
 
   StudioFixture again;
-  app::ReplayPlayer(again.window()).play(recorded::parse(read_file(path), path, recorded::all_steps()));
+  app::play(again.window(), recorded::parse(read_file(path), path, recorded::all_steps()));
   again.settle();
   REQUIRE(drawn(again).nodes.size() == drawn(hand).nodes.size());
   REQUIRE(drawn(again).curves.size() == drawn(hand).curves.size());

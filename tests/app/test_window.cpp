@@ -21,7 +21,6 @@
 #include "app/start/start_page.h"
 #include "app/studio_fixture.h"
 #include "app/views/offscreen_pictures.h"
-#include "app/window/elided_label.h"
 #include "app/window/help_line.h"
 #include "croquis/document/content_hash.h"
 #include "support/meshes/mesh_shapes.h"

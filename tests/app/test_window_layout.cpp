@@ -20,8 +20,8 @@
 
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
-#include "app/window/elided_label.h"
-#include "app/window/window_layout.h"
+#include "app/window/help_line.h"
+#include "app/window/panel_docks.h"
 
 using namespace croquis;
 using namespace croquis::test;

@@ -18,14 +18,14 @@
 
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
+#include "app/panels/attribute_panel.h"
 #include "app/panels/number_box.h"
-#include "app/panels/parameter_field.h"
 #include "app/replay/replay_player.h"
 #include "app/tools/holes/hole_table.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "app/window/help_pages.h"
-#include "app/window/window_layout.h"
+#include "app/window/panel_docks.h"
 #include "support/sketches/sketch_gallery.h"
 
 namespace croquis::test {

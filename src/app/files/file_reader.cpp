@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/file_reader.h"
 
+#include <QBuffer>
+#include <QDateTime>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QFileInfo>
+#include <QImageReader>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QMessageBox>
 #include <QMetaObject>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
-#include "app/files/picture_reader.h"
-#include "app/panels/word_list.h"
+#include "app/window/theme.h"
 #include "croquis/base/error.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/io/perspective_drawing_file.h"
+#include "croquis/io/picture_trace.h"
 #include "croquis/io/project_file.h"
 #include "croquis/io/svg_drawing.h"
+#include "croquis/render/picture_item.h"
 
 namespace croquis::app {
 namespace {
@@ -73,6 +85,59 @@ std::string readable_endings() {
   for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
   for (const QString& ending : picture_endings()) endings.push_back(ending.toStdString());
   return either_of(endings);
+}
+
+constexpr QSize report_size(560, 380);
+
+QString when_written(const QString& path) {
+  return QLocale().toString(QFileInfo(path).lastModified().toLocalTime(), QLocale::ShortFormat);
+}
+
+constexpr int most_megabytes = 2048;  // of a decoded picture; Qt's own bound is less than a large scan takes
+constexpr std::string_view jpeg_scan = "\xFF\xDA", jpeg_end = "\xFF\xD9";
+
+/// Qt's reader fills what is missing of a JPEG file with grey, without an error.
+bool is_cut_off(const std::string& bytes) {
+  if (!bytes.starts_with("\xFF\xD8")) return false;
+  const auto scan = bytes.rfind(jpeg_scan);  // the picture's own, not its thumbnail's
+  return scan == std::string::npos || bytes.find(jpeg_end, scan) == std::string::npos;
+}
+
+[[noreturn]] void refuse_picture(const std::string& file, const std::string& reason) {
+  throw Error(make_error(Category::Malformed, "E_PICTURE_FILE",
+                         "The picture \"" + file + "\" can't be read: " + reason + "; save it again as PNG or JPEG",
+                         {{SubjectKind::File, file, std::nullopt, std::nullopt, {}}}));
+}
+
+/// A picture of so many pixels, as large as allowed.
+QSize shown_size(const QSize& size, int longest_side) {
+  return std::max(size.width(), size.height()) <= longest_side
+             ? size
+             : size.scaled(longest_side, longest_side, Qt::KeepAspectRatio).expandedTo(QSize(1, 1));
+}
+
+/// @param reason what was wrong, where the image is null
+QImage read_image(const std::string& bytes, int longest_side, QSize& own_size, QString& reason) {
+  QBuffer buffer;
+  buffer.setData(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())));
+  buffer.open(QIODevice::ReadOnly);
+  QImageReader::setAllocationLimit(most_megabytes);
+  QImageReader reader(&buffer);
+  reader.setDecideFormatFromContent(true);
+  reader.setAutoTransform(true);
+  const QSize stored = reader.size();
+  if (stored.isValid()) reader.setScaledSize(shown_size(stored, longest_side));
+  QImage image = reader.read();
+  if (image.isNull()) {
+    reason = reader.errorString();
+    return image;
+  }
+  // Files that don't say how large they are are known only now.
+  own_size = stored.isValid() ? stored : image.size();
+  if (reader.transformation() & QImageIOHandler::TransformationRotate90) own_size.transpose();
+  const QSize size = shown_size(image.size(), longest_side);
+  if (size != image.size()) image = image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  return image.convertToFormat(QImage::Format_RGBA8888);
 }
 
 }  // namespace
@@ -171,6 +236,141 @@ void FileReader::take(const QString& path, std::shared_ptr<const ReadFile> file,
   else
     emit failed(path, findings);
   if (open_ == 0) emit busy_changed(false);
+}
+
+QStringList sentences_of(const Findings& findings, const QString& path) {
+  QStringList lines;
+  for (const Finding& finding : findings) {
+    QString sentence = QString::fromStdString(finding.message);
+    if (!path.isEmpty()) sentence.replace(path, QFileInfo(path).fileName());
+    lines << (sentence.endsWith('.') ? sentence : sentence + ".");
+  }
+  return lines;
+}
+
+OpeningReport::OpeningReport(const QString& path, const Findings& findings, QWidget* parent)
+    : QDialog(parent), path_(path) {
+  setObjectName("opening-report");
+  setWindowTitle(QFileInfo(path).fileName());
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(report_size);
+  auto* column = new QVBoxLayout(this);
+  auto* head = new QLabel(headline(findings), this);
+  head->setObjectName("opening-headline");
+  head->setWordWrap(true);
+  column->addWidget(head);
+  auto* list = new QListWidget(this);
+  list->setObjectName("opening-findings");
+  list->setWordWrap(true);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const QStringList lines = sentences_of(findings, path);
+  for (qsizetype i = 0; i < lines.size(); ++i) {
+    auto* row = new QListWidgetItem(lines[i], list);
+    const Finding& finding = findings[static_cast<std::size_t>(i)];
+    row->setForeground(sentence_color(finding.severity));
+    row->setToolTip(QString::fromStdString(finding.code));
+  }
+  column->addWidget(list, 1);
+  column->addWidget(make_versions());
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column->addWidget(buttons);
+}
+
+QString OpeningReport::headline(const Findings& findings) const {
+  const QString name = QFileInfo(path_).fileName();
+  if (has_errors(findings)) return tr("%1 can't be opened. What was open before is still there.").arg(name);
+  return tr("%1 is damaged, and what is named below is lost. The file stays as it is: saving asks for another name.")
+      .arg(name);
+}
+
+/// Its earlier versions; of one of these, the others.
+QWidget* OpeningReport::make_versions() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  const std::string file = QFile::encodeName(path_).toStdString();
+  int shown = 0;
+  for (const auto& version : project_backups(project_of_backup(file).value_or(file))) {
+    const QString path = QFile::decodeName(QByteArray::fromStdString(version.string()));
+    if (QFileInfo(path) == QFileInfo(path_)) continue;
+    if (shown++ == 0) column->addWidget(new QLabel(tr("Earlier versions, as they were saved:"), box));
+    auto* button = new QPushButton(tr("Open %1, of %2").arg(QFileInfo(path).fileName(), when_written(path)), box);
+    button->setObjectName("version-" + QString::number(shown));
+    connect(button, &QPushButton::clicked, this, [this, path] {
+      accept();
+      emit version_wanted(path);
+    });
+    column->addWidget(button, 0, Qt::AlignLeft);
+  }
+  if (shown == 0) column->addWidget(new QLabel(tr("No earlier versions lie beside it."), box));
+  return box;
+}
+
+const QStringList& picture_endings() {
+  static const QStringList endings = [] {
+    QStringList readable;
+    const QList<QByteArray> formats = QImageReader::supportedImageFormats();
+    for (const char* format : {"png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"}) {
+      if (formats.contains(format)) readable << QString(".") + format;
+    }
+    return readable;
+  }();
+  return endings;
+}
+
+bool is_picture_name(const QString& path) {
+  return picture_endings().contains("." + QFileInfo(path).suffix(), Qt::CaseInsensitive);
+}
+
+PictureFile read_picture(std::string bytes, const std::string& file) {
+  if (bytes.empty()) refuse_picture(file, "it is empty");
+  if (is_cut_off(bytes)) refuse_picture(file, "its end is missing");
+  QSize size;
+  QString reason;
+  const QImage image = read_image(bytes, render::max_picture_item_side, size, reason);
+  if (image.isNull()) refuse_picture(file, reason.isEmpty() ? "it is damaged" : reason.toLower().toStdString());
+  PictureFile picture;
+  picture.bytes = std::move(bytes);
+  picture.width = size.width();
+  picture.height = size.height();
+  picture.file = file;
+  return picture;
+}
+
+QImage decoded(const PictureFile& picture, int longest_side) {
+  QSize size;
+  QString reason;
+  return read_image(picture.bytes, longest_side, size, reason);
+}
+
+Drawing traced_picture(std::string bytes, const std::string& file, Progress& progress) {
+  // As on the command line.
+  if (bytes.starts_with("\x89PNG")) return read_picture_drawing(bytes, file, progress);
+  const QImage image = decoded(read_picture(std::move(bytes), file), TraceOptions().longest_side);
+  Picture picture{image.width(), image.height(), {}};
+  for (int y = 0; y < image.height(); ++y) {
+    const uchar* row = image.constScanLine(y);
+    picture.rgba.insert(picture.rgba.end(), row, row + 4 * static_cast<std::ptrdiff_t>(image.width()));
+  }
+  return trace_picture(picture, file, progress);
+}
+
+std::optional<PictureUse> ask_picture_use(const QStringList& paths, QWidget& parent) {
+  const auto count = std::ranges::count_if(paths, is_picture_name);
+  if (count == 0) return PictureUse::Backdrop;
+  const QString what = count == 1 ? QFileInfo(*std::ranges::find_if(paths, is_picture_name)).fileName()
+                                  : QMessageBox::tr("%1 pictures").arg(count);
+  QMessageBox question(QMessageBox::Question, QMessageBox::tr("Croquis"),
+                       QMessageBox::tr("Trace the lines of %1 as strokes, or put it behind the drawing?").arg(what),
+                       QMessageBox::Cancel, &parent);
+  question.setObjectName("picture-question");
+  const QPushButton* trace = question.addButton(QMessageBox::tr("&Trace lines"), QMessageBox::AcceptRole);
+  QPushButton* backdrop = question.addButton(QMessageBox::tr("&Backdrop"), QMessageBox::AcceptRole);
+  question.setDefaultButton(backdrop);
+  question.exec();
+  if (question.clickedButton() == trace) return PictureUse::Lines;
+  return question.clickedButton() == backdrop ? std::optional(PictureUse::Backdrop) : std::nullopt;
 }
 
 }  // namespace croquis::app

@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDialog>
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QStringList>
 #include <QThreadPool>
+#include <QWidget>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/document.h"
 #include "croquis/document/kept_work.h"
+#include "croquis/geometry/drawing.h"
+#include "croquis/geometry/picture_file.h"
 #include "croquis/io/camera_file.h"
 
 namespace croquis::app {
+
+/// "a", "a or b", "a, b or c".
+inline std::string either_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  }
+  return text;
+}
 
 /// What a file held: a project, a drawing, a network of curves, a mesh, a picture or a camera.
 struct ReadFile {
@@ -77,5 +93,48 @@ class FileReader : public QObject {
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   QThreadPool thread_;
 };
+
+/// The findings of a file as lines for people: each a sentence with its stop, the file named without its folders.
+QStringList sentences_of(const Findings& findings, const QString& path);
+
+/// What was wrong with a project that was opened, every finding of it, and the earlier versions beside it.
+class OpeningReport : public QDialog {
+  Q_OBJECT
+
+ public:
+  OpeningReport(const QString& path, const Findings& findings, QWidget* parent);
+
+ signals:
+  void version_wanted(const QString& path);
+
+ private:
+  QString headline(const Findings& findings) const;
+  QWidget* make_versions();
+
+  QString path_;
+};
+
+// Photos and scans: what Qt reads. For any thread.
+
+/// ".png", ".jpg" …: of the formats that can be read on this machine.
+const QStringList& picture_endings();
+bool is_picture_name(const QString& path);
+
+/// The file's picture, after a look at all of it.
+/// @param file for sentences
+/// @throws Error (E_PICTURE_FILE, malformed) for a broken, incomplete or empty one
+PictureFile read_picture(std::string bytes, const std::string& file);
+
+/// As people see it: turned as the file says, 8 bits a channel (RGBA), its longer side at most so many pixels.
+/// @return a null image for bytes that can't be read
+QImage decoded(const PictureFile& picture, int longest_side);
+
+/// The lines of a file's picture, upright, as strokes.
+/// @throws Error like read_picture and trace_picture
+/// @throws Cancelled
+Drawing traced_picture(std::string bytes, const std::string& file, Progress& progress);
+
+/// Asks what becomes of the pictures among the files; nothing: they aren't wanted. Without pictures it doesn't ask.
+std::optional<PictureUse> ask_picture_use(const QStringList& paths, QWidget& parent);
 
 }  // namespace croquis::app

@@ -7,9 +7,7 @@
 #include <QSettings>
 #include <algorithm>
 #include <array>
-#include <utility>
 
-#include "app/panels/word_list.h"
 #include "app/start/gallery.h"
 #include "croquis/base/error.h"
 #include "croquis/io/attribute_network_file.h"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/files/file_reader.h"
-#include "app/files/step_export.h"
+#include "app/files/mesh_export.h"
 #include "app/start/start_page.h"
 #include "app/studio/studio.h"
 #include "app/views/offscreen_pictures.h"

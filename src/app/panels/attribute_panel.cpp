@@ -2,11 +2,23 @@
 #include "app/panels/attribute_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
 
-#include "app/panels/parameter_field.h"
+#include "app/panels/number_box.h"
 #include "croquis/base/error.h"
 #include "croquis/edits/edit_line.h"
 #include "croquis/workspace/node_values.h"
@@ -14,11 +26,232 @@
 namespace croquis::app {
 namespace {
 
+/// Puts the widget that people use into the field.
+template <class Widget>
+Widget* placed_in(ParameterField& field, Widget* widget, const ParameterDescription& description) {
+  auto* row = static_cast<QHBoxLayout*>(field.layout());
+  if (row == nullptr) {
+    row = new QHBoxLayout(&field);
+    row->setContentsMargins(0, 0, 0, 4);
+  }
+  row->addWidget(widget);
+  widget->setAccessibleName(parameter_title(description));
+  field.setFocusProxy(widget);
+  return widget;
+}
+
+/// The values of a slider. Over a range of decades it moves by factors: at its left end a weight of 0.001 and one of
+/// 0.002 are apart.
+struct SliderScale {
+  static constexpr int positions = 1000;
+  double low, high;
+  bool by_factors = low > 0 && high / low >= 100;
+
+  double value_at(int position) const {
+    const double part = static_cast<double>(position) / positions;
+    return by_factors ? low * std::pow(high / low, part) : low + part * (high - low);
+  }
+  int position_of(double value) const {
+    const double part = by_factors ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    return static_cast<int>(std::lround(part * positions));
+  }
+};
+
+void place_slider(QSlider* slider, const SliderScale& scale, double value) {
+  if (slider == nullptr) return;
+  const QSignalBlocker quiet(slider);
+  slider->setValue(scale.position_of(value));
+}
+
+void make_number(ParameterField& field, const ParameterDescription& description) {
+  const SliderScale scale{description.minimum, description.maximum};
+  const bool has_slider = std::isfinite(scale.high - scale.low);
+  auto* slider = has_slider ? placed_in(field, new QSlider(Qt::Horizontal, &field), description) : nullptr;
+  auto* box = placed_in(field, new NumberBox(&field, {scale.low, scale.high, 3}), description);
+  share_keys(box);
+  if (has_slider) {
+    box->setSingleStep((scale.high - scale.low) / 100);
+    static_cast<QHBoxLayout*>(field.layout())->setStretchFactor(slider, 1);
+    slider->setRange(0, SliderScale::positions);
+    slider->setToolTip(QString::fromStdString(description.sentence));
+    QObject::connect(slider, &QSlider::valueChanged, &field, [&field, box, slider, scale](int position) {
+      const double value = number_words(scale.value_at(position), 3).toDouble();
+      const QSignalBlocker quiet(box);
+      box->setValue(value);
+      emit field.edited(box->value(), slider->isSliderDown());
+    });
+    QObject::connect(slider, &QSlider::sliderReleased, &field,
+                     [&field, box] { emit field.edited(box->value(), false); });
+  } else {
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // no step fits small and large models
+  }
+  QObject::connect(box, &QDoubleSpinBox::valueChanged, &field, [&field, slider, scale](double value) {
+    place_slider(slider, scale, value);
+    emit field.edited(value, false);
+  });
+  field.set_show([box, slider, scale](const ParameterValue& value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(std::get<double>(value));
+    // While it is held down, the slider leads.
+    if (slider != nullptr && !slider->isSliderDown()) place_slider(slider, scale, std::get<double>(value));
+  });
+}
+
+void make_integer(ParameterField& field, const ParameterDescription& description) {
+  constexpr double limit = 1e9;
+  auto* box = placed_in(field, new QSpinBox(&field), description);
+  box->setRange(static_cast<int>(std::max(description.minimum, -limit)),
+                static_cast<int>(std::min(description.maximum, limit)));
+  box->setKeyboardTracking(false);
+  share_keys(box);
+  QObject::connect(box, &QSpinBox::valueChanged, &field,
+                   [&field](int value) { emit field.edited(std::int64_t{value}, false); });
+  field.set_show([box](const ParameterValue& value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(static_cast<int>(std::get<std::int64_t>(value)));
+  });
+}
+
+void make_choice(ParameterField& field, const ParameterDescription& description) {
+  auto* box = placed_in(field, new QComboBox(&field), description);
+  const auto& words = description.choice_titles.empty() ? description.choices : description.choice_titles;
+  for (std::size_t i = 0; i < description.choices.size(); ++i)
+    box->addItem(QString::fromStdString(words[i]), QString::fromStdString(description.choices[i]));
+  QObject::connect(box, &QComboBox::currentIndexChanged, &field,
+                   [&field, box] { emit field.edited(box->currentData().toString().toStdString(), false); });
+  field.set_show([box](const ParameterValue& value) {
+    const QSignalBlocker quiet(box);
+    box->setCurrentIndex(box->findData(QString::fromStdString(std::get<std::string>(value))));
+  });
+}
+
+void make_flag(ParameterField& field, const ParameterDescription& description) {
+  auto* box = placed_in(field, new QCheckBox(&field), description);
+  QObject::connect(box, &QCheckBox::toggled, &field, [&field](bool on) { emit field.edited(on, false); });
+  field.set_show([box](const ParameterValue& value) {
+    const QSignalBlocker quiet(box);
+    box->setChecked(std::get<bool>(value));
+  });
+}
+
+void make_text(ParameterField& field, const ParameterDescription& description) {
+  auto* line = placed_in(field, new QLineEdit(&field), description);
+  const auto shown = std::make_shared<QString>();
+  QObject::connect(line, &QLineEdit::editingFinished, &field, [&field, line, shown] {
+    if (std::exchange(*shown, line->text()) != line->text()) emit field.edited(shown->toStdString(), false);
+  });
+  field.set_show([line, shown](const ParameterValue& value) {
+    *shown = QString::fromStdString(to_text(value));
+    if (!line->hasFocus() || !line->isModified()) line->setText(*shown);
+  });
+}
+
+constexpr int least_width = 52;  // three of them beside their title
+constexpr double farthest = 1e12;
+
 bool lists_edits(const OperationDescription& operation, const ParameterDescription& parameter) {
   return operation.edits_input && operation.edits_input->lines == parameter.name;
 }
 
 }  // namespace
+
+ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent) {
+  auto* field = new ParameterField(parent);
+  switch (description.type) {
+    case ParameterType::Number: make_number(*field, description); break;
+    case ParameterType::Integer: make_integer(*field, description); break;
+    case ParameterType::Choice: make_choice(*field, description); break;
+    case ParameterType::Flag: make_flag(*field, description); break;
+    case ParameterType::Text:
+    case ParameterType::File: make_text(*field, description); break;
+  }
+  field->setObjectName(QString::fromStdString(description.name));
+  field->setToolTip(QString::fromStdString(description.sentence));
+  return field;
+}
+
+QString parameter_title(const ParameterDescription& description) {
+  QString title = QString::fromStdString(title_of(description));
+  if (!description.unit.empty()) title += " (" + QString::fromStdString(description.unit) + ")";
+  return title;
+}
+
+PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new QCheckBox(tr("Keep proportions"))) {
+  setObjectName("placement");
+  auto* grid = new QGridLayout(this);
+  grid->setVerticalSpacing(3);
+  grid->setHorizontalSpacing(4);
+  const std::array names{"position", "rotation", "size"};
+  const std::array tips{tr("Where the middle of its box is: x, y, z"),
+                        tr("Degrees about x, then y, then z, around its middle"),
+                        tr("How far it reaches along its own x, y and z")};
+  for (int row = 0; row < 3; ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    labels_[at] = new QLabel(this);
+    labels_[at]->setToolTip(tips[at]);
+    grid->addWidget(labels_[at], row, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const QString name = QString("%1-%2").arg(names[at]).arg(QChar('x' + axis));
+      QDoubleSpinBox* box = make_number_box(this, name, {-farthest, farthest, 2});
+      box->setMinimumWidth(least_width);
+      box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+      share_keys(box);
+      connect(box, &QDoubleSpinBox::valueChanged, this,
+              [this, row, axis](double value) { edit(static_cast<Row>(row), axis, value); });
+      boxes_[at][static_cast<std::size_t>(axis)] = box;
+      grid->addWidget(box, row, 1 + axis);
+    }
+  }
+  evenly_->setObjectName("size-evenly");
+  evenly_->setToolTip(tr("A size along one axis changes the others by the same factor"));
+  grid->addWidget(evenly_, 3, 1, 1, 3);
+}
+
+Vec3 PlacementFields::shown_in(Row row) const {
+  if (row == Position) return placement_.map()((box_[0] + box_[1]) / 2);
+  return row == Rotation ? placement_.rotation : Vec3(placement_.scale.cwiseProduct(box_[1] - box_[0]));
+}
+
+void PlacementFields::follow(const Studio& studio) {
+  const WorkObject* object = studio.active();
+  const BoundingBox box = object == nullptr ? std::nullopt : studio.own_bounds(*object);
+  setVisible(box.has_value());
+  if (!box) return;
+  object_ = object->node;
+  placement_ = object->placement;
+  box_ = *box;
+  const QString unit = QString::fromStdString(studio.unit());
+  labels_[Position]->setText(unit.isEmpty() ? tr("Position") : tr("Position, %1").arg(unit));
+  labels_[Rotation]->setText(tr("Rotation, °"));
+  labels_[Size]->setText(unit.isEmpty() ? tr("Size") : tr("Size, %1").arg(unit));
+  for (const Row row : {Position, Rotation, Size}) {
+    const Vec3 numbers = shown_in(row);
+    for (int axis = 0; axis < 3; ++axis) {
+      QDoubleSpinBox* field = boxes_[row][static_cast<std::size_t>(axis)];
+      const QSignalBlocker quiet(field);
+      field->setValue(numbers(axis));
+      field->setEnabled(row != Size || numbers(axis) > 0);
+    }
+  }
+}
+
+void PlacementFields::edit(Row row, int axis, double value) {
+  Placement changed = placement_;
+  const Vec3 middle = (box_[0] + box_[1]) / 2;
+  if (row == Position) {
+    changed.position(axis) += value - shown_in(Position)(axis);
+  } else if (row == Rotation) {
+    changed.rotation(axis) = value;
+  } else if (value > 0) {
+    const double factor = value / shown_in(Size)(axis);
+    for (int k = 0; k < 3; ++k) {
+      if (evenly_->isChecked() && k != axis) changed.scale(k) *= factor;
+    }
+    changed.scale(axis) = value / (box_[1] - box_[0])(axis);
+  }
+  if (row != Position) changed = with_point_kept(changed, placement_, middle);
+  emit placed(object_, changed);
+}
 
 AttributePanel::AttributePanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   setObjectName("attributes");

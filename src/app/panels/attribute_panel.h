@@ -1,20 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <array>
+#include <functional>
 #include <map>
 #include <string>
 
+#include "app/studio/studio.h"
 #include "croquis/base/parameter.h"
 #include "croquis/document/document.h"
 #include "croquis/document/operation.h"
 
+class QCheckBox;
+class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QListWidget;
 
 namespace croquis::app {
 
-class ParameterField;
+/// The widget of one parameter. Which kind it is follows from the description's type: a slider beside a number, a
+/// number alone where there is no range, a list of choices, a check box, a line of text.
+class ParameterField : public QWidget {
+  Q_OBJECT
+
+ public:
+  using QWidget::QWidget;
+
+  /// Shows a value without a signal.
+  void show_value(const ParameterValue& value) { show_(value); }
+  void set_show(std::function<void(const ParameterValue& value)> show) { show_ = std::move(show); }
+
+ signals:
+  void edited(const croquis::ParameterValue& value, bool dragging);
+
+ private:
+  std::function<void(const ParameterValue& value)> show_;
+};
+
+/// Its object name is the parameter's name.
+ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent);
+
+/// "Smooth arcs (unit)"; of a parameter without a title "Weight curvature (unit)".
+QString parameter_title(const ParameterDescription& description);
+
+/// Where the active object stands, as numbers: the middle of its box, its rotation in degrees, and its size along its
+/// own axes.
+class PlacementFields : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlacementFields(QWidget* parent = nullptr);
+
+  /// Of the active object; hidden without one that has a mesh.
+  void follow(const Studio& studio);
+
+ signals:
+  /// People gave a number another value.
+  void placed(croquis::NodeId object, const croquis::Placement& placement);
+
+ private:
+  enum Row { Position, Rotation, Size };
+
+  void edit(Row row, int axis, double value);
+  Vec3 shown_in(Row row) const;
+
+  NodeId object_ = 0;
+  Placement placement_;
+  std::array<Vec3, 2> box_{};  ///< in the object's own space
+  std::array<std::array<QDoubleSpinBox*, 3>, 3> boxes_{};
+  std::array<QLabel*, 3> labels_{};
+  QCheckBox* evenly_;
+};
 
 /// Fields for the parameters of a node, made from its operation's description alone; those for experts where people ask
 /// for them.

@@ -3,10 +3,14 @@
 
 #include <QAction>
 #include <QListWidget>
+#include <QTreeWidget>
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/panels/object_names.h"
 #include "app/studio/studio.h"
 
 namespace croquis::app {
@@ -48,6 +52,59 @@ class HistoryList : public QListWidget {
  signals:
   /// The user wants the document as it was after that many steps.
   void step_chosen(int steps);
+};
+
+/// All objects with their chains: a row for what is seen, with an eye, a name that can be edited and its size; below it
+/// its parts, and its steps from the last one down to what it begins with, each with its state. Objects of a group
+/// stand below one row, which is selected, hidden and renamed for all of them.
+class ObjectList : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  /// The rows of a node of the object, in its chain.
+  using Parts = std::function<std::vector<ObjectRow>(const WorkObject& object, NodeId node)>;
+
+  ObjectList(Parts parts, QWidget* parent);
+
+  void show_objects(const Studio& studio);
+
+  /// The object or step of the row.
+  static NodeId node_of(const QTreeWidgetItem* row);
+
+  /// The row is a step of its object's chain.
+  static bool is_step(const QTreeWidgetItem* row);
+
+  /// What is selected with the row; empty for objects and steps.
+  static std::vector<std::string> parts_of(const QTreeWidgetItem* row);
+
+ signals:
+  void parts_chosen(croquis::NodeId node, const std::vector<std::string>& parts);
+  void objects_chosen(const std::vector<croquis::NodeId>& nodes);
+  void step_chosen(croquis::NodeId step);
+  void step_enabled(croquis::NodeId step, bool enabled);
+  void renamed(croquis::NodeId node, const std::string& name);
+  void group_renamed(const std::string& group, const std::string& name);
+  void shown(const std::vector<croquis::NodeId>& objects, bool visible);
+
+  /// People want the actions of this object or step, at a place of the screen. It is selected already.
+  void menu_wanted(croquis::NodeId node, bool step, const QPoint& at);
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  QTreeWidgetItem* group_row(const std::string& group);
+  void add_object(const WorkObject& object, const Studio& studio);
+  std::vector<NodeId> objects_of(const QTreeWidgetItem* row) const;
+  void add_steps(QTreeWidgetItem* row, const WorkObject& object, const Studio& studio);
+  void add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>& rows, NodeId node, const Selection& selection);
+  void take_click(QTreeWidgetItem* row);
+  void take_change(QTreeWidgetItem* row, int column);
+  void take_opening(QTreeWidgetItem* row, bool opened);
+  void choose_parts(NodeId node);
+
+  Parts parts_;
+  std::set<std::pair<NodeId, QString>> turned_;  ///< rows that people opened or closed, other than they first are
 };
 
 }  // namespace croquis::app

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/number_box.h"
 
+#include <QAbstractSpinBox>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace croquis::app {
@@ -15,6 +20,36 @@ constexpr int most_figures = 15;  // beyond these the digits are chance
 int places_before_point(double value) {
   return value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
 }
+
+class KeySharer : public QObject {
+ public:
+  explicit KeySharer(QAbstractSpinBox* field) : QObject(field), line_(field->findChild<QLineEdit*>()) {
+    field->installEventFilter(this);
+    connect(field, &QAbstractSpinBox::editingFinished, this, [this] { line_->setModified(false); });
+  }
+
+  bool eventFilter(QObject* field, QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(field, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (!is_command(*key) && (!is_history(*key) || line_->isModified())) return QObject::eventFilter(field, event);
+    event->ignore();
+    return true;
+  }
+
+ private:
+  /// A letter, or one with Ctrl that isn't for the clipboard or the history: fields know Ctrl+E as the end of a line.
+  static bool is_command(const QKeyEvent& key) {
+    if (key.key() < Qt::Key_A || key.key() > Qt::Key_Z) return false;
+    if (!key.modifiers().testFlag(Qt::ControlModifier)) return !key.modifiers().testFlag(Qt::AltModifier);
+    constexpr std::array own{Qt::Key_A, Qt::Key_C, Qt::Key_V, Qt::Key_X, Qt::Key_Y, Qt::Key_Z};
+    return std::ranges::find(own, key.key()) == own.end();
+  }
+  static bool is_history(const QKeyEvent& key) {
+    return key.modifiers().testFlag(Qt::ControlModifier) && (key.key() == Qt::Key_Z || key.key() == Qt::Key_Y);
+  }
+
+  QLineEdit* line_;
+};
 
 }  // namespace
 
@@ -77,5 +112,7 @@ QDoubleSpinBox* make_number_box(QWidget* parent, const QString& name, const Numb
   box->setObjectName(name);
   return box;
 }
+
+void share_keys(QAbstractSpinBox* field) { new KeySharer(field); }
 
 }  // namespace croquis::app

@@ -4,6 +4,8 @@
 #include <QDoubleSpinBox>
 #include <QString>
 
+class QAbstractSpinBox;
+
 namespace croquis::app {
 
 constexpr int number_box_width = 62;  ///< logical pixels, the least; not that of the longest number
@@ -37,5 +39,10 @@ class NumberBox : public QDoubleSpinBox {
 /// @param parent owns it
 /// @param name   of the object, by which tests and recordings find it
 QDoubleSpinBox* make_number_box(QWidget* parent, const QString& name, const NumberRange& range);
+
+/// Lets the window have the keys that a field of numbers has no use for: letters, which choose tools, Ctrl with letters
+/// that aren't the clipboard's, and undo and redo unless something is being typed. Without this they would have no
+/// effect once a field had been clicked.
+void share_keys(QAbstractSpinBox* field);
 
 }  // namespace croquis::app

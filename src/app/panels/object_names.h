@@ -3,17 +3,30 @@
 
 #include <QString>
 #include <string>
+#include <vector>
 
 #include "app/studio/studio.h"
 
-/// What objects are called in lists, sentences and proposed file names. Documents, recordings and reports keep their
-/// own names beside it.
 namespace croquis::app {
+
+// What objects are called in lists, sentences and proposed file names. Documents, recordings and reports keep their
+// own names beside it.
 
 /// An object's name for people.
 QString shown_name(const WorkObject& object);
 
 /// A file's stem for what is worked on: the active object's name.
 std::string document_name(const Studio& studio);
+
+/// Something of an object that the list shows below it, or below one of its steps: a body, a stroke, faces by a name.
+struct ObjectRow {
+  QString name;
+  QString info;  ///< in the second column
+  QString tip;
+  std::vector<std::string> parts;  ///< what is selected with it
+  bool made = true;                ///< false: shown grey
+  bool opened = true;              ///< the rows below it are seen at first
+  std::vector<ObjectRow> rows;
+};
 
 }  // namespace croquis::app

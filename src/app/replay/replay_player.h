@@ -2,42 +2,18 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
 #include "croquis/base/finding.h"
-#include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/recording/recording.h"
 
 namespace croquis::app {
 
 class MainWindow;
 
-/// Plays recorded steps in a window, as a user would: docs/replays.md. It knows the general steps; the tools have
-/// the others.
-class ReplayPlayer {
- public:
-  explicit ReplayPlayer(MainWindow& window) : window_(window) {}
-
-  /// @throws Error (E_REPLAY naming the line) when a step can't be done or an expectation fails
-  void play(const std::vector<recorded::Line>& lines);
-
- private:
-  void play(const recorded::Line& line);
-  void play(const recorded::Step& step);
-  template <typename T>
-  bool play_if(const recorded::Step& step);
-  void play(const recorded::Action& step);
-  void play(const recorded::Set& step);
-  void play(const recorded::Wait& step);
-  void play(const recorded::Screenshot& step);
-  void play(const recorded::File& step);
-  void play(const recorded::Navigate& step);
-  void play(const recorded::Expect& step);
-  void play(const recorded::FaceSetChoice& step);
-  void play(const recorded::NodeChoice& step);
-  void play(const recorded::Place& step);
-
-  MainWindow& window_;
-};
+/// Plays recorded steps in a window, as a user would: docs/replays.md. The tools play the steps that are theirs.
+/// @throws Error (E_REPLAY naming the line) when a step can't be done or an expectation fails
+void play(MainWindow& window, const std::vector<recorded::Line>& lines);
 
 /// Waits until the solid of the document as it is now is final; keeps the window alive meanwhile.
 /// @throws Error (E_LIMIT) after a minute

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/all_tools.h"
-
 #include "app/tools/backdrop/backdrop_tool.h"
 #include "app/tools/holes/hole_filling_tool.h"
 #include "app/tools/measure/measuring_tool.h"
@@ -9,6 +7,7 @@
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "app/tools/subdivision/subdivision_tool.h"
 #include "app/tools/surface/surface_drawing_tool.h"
+#include "app/tools/tool.h"
 
 namespace croquis::app {
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/legend.h"
 
+#include <utility>
+
 namespace croquis::app {
 namespace {
 
 constexpr int legend_width = 96;
+constexpr int text_left = 40;
 constexpr int card_margin = 4;
 constexpr int card_radius = 6;
 constexpr int font_pixels = 11;
@@ -13,18 +16,13 @@ constexpr QColor card_color(255, 255, 255, 190);
 
 }  // namespace
 
-Legend::Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, int rows)
-    : QWidget(views), title_(title), rows_(rows) {
+Legend::Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, std::vector<Row> rows)
+    : QWidget(views), title_(title), rows_(std::move(rows)) {
   setObjectName(name);
   setAccessibleName(meaning);
   setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFixedSize(legend_width, row_height * (rows + 1) + 2 * card_margin);
+  setFixedSize(legend_width, row_height * (static_cast<int>(rows_.size()) + 1) + 2 * card_margin);
   hide();
-}
-
-void Legend::draw_label(QPainter& painter, int y, const QString& text) const {
-  painter.setPen(legend_ink);
-  painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, text);
 }
 
 void Legend::paintEvent(QPaintEvent*) {
@@ -38,7 +36,13 @@ void Legend::paintEvent(QPaintEvent*) {
   painter.setFont(font);
   painter.setPen(legend_ink);
   painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, title_);
-  for (int row = 0; row < rows_; ++row) draw_row(painter, row, card_margin + (row + 1) * row_height);
+  int y = card_margin;
+  for (const Row& row : rows_) {
+    y += row_height;
+    row.draw(painter, y);
+    painter.setPen(legend_ink);
+    painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, row.label);
+  }
 }
 
 }  // namespace croquis::app

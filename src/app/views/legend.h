@@ -3,32 +3,31 @@
 
 #include <QPainter>
 #include <QWidget>
+#include <functional>
+#include <vector>
 
 namespace croquis::app {
 
 /// A card over the views that tells what colours mean, a row for each. Lets the pointer through.
 class Legend : public QWidget {
-  Q_OBJECT
-
  public:
+  static constexpr int row_height = 16;
+
+  struct Row {
+    QString label;
+    std::function<void(QPainter& painter, int y)> draw;  ///< left of the label; y is the row's top
+  };
+
   /// @param meaning what it tells, for people who don't see it
-  Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, int rows);
+  /// @param rows from above
+  Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, std::vector<Row> rows);
 
  protected:
-  static constexpr int row_height = 16;
-  static constexpr int text_left = 40;
-
   void paintEvent(QPaintEvent* event) override;
-
-  /// One row. @param y its top. @param row from above, 0-based
-  virtual void draw_row(QPainter& painter, int row, int y) = 0;
-
-  /// The text of a row, behind what `draw_row` draws.
-  void draw_label(QPainter& painter, int y, const QString& text) const;
 
  private:
   QString title_;
-  int rows_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace croquis::app

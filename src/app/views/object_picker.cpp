@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "app/studio/own_space.h"
+#include "app/views/own_space.h"
 
 namespace croquis::app {
 

@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/object_scenes.h"
 
+#include <QCoreApplication>
+#include <QMetaObject>
 #include <algorithm>
+#include <utility>
 
-#include "app/studio/own_space.h"
+#include "app/views/own_space.h"
+#include "app/views/render_color.h"
 #include "app/window/theme.h"
+#include "croquis/base/error.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr std::size_t corners_at_once = 200'000;  // of more, making an item causes a visible delay
+
+bool same_options(const render::MeshItemOptions& a, const render::MeshItemOptions& b) {
+  return a.shading == b.shading && a.crease_angle == b.crease_angle;
+}
+
+render::MeshItemPtr made(const render::MeshItemPtr& previous, const std::shared_ptr<const PolyMesh>& mesh,
+                         const render::MeshItemOptions& options, const LiveItem::Paint& paint) {
+  try {
+    return render::update_mesh_item(previous, paint ? *paint(mesh) : *mesh, options);
+  } catch (const Error&) {
+    return nullptr;  // what can't be drawn is reported where the mesh is made
+  }
+}
 
 LiveItem::Paint patch_paint(PatchLook look) {
   return [look](const std::shared_ptr<const PolyMesh>& mesh) { return colored_whole(mesh, look); };
@@ -23,6 +43,54 @@ render::MeshStyle style_of(MeshLook look) {
 }
 
 }  // namespace
+
+void LiveItem::show(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options,
+                    const Paint& paint, int look) {
+  const bool same = same_options(options_, options);
+  if (mesh == wanted_ && same && look == look_) return;
+  if (!same) {
+    item_.reset();
+    made_of_.reset();
+  }
+  wanted_ = mesh;
+  options_ = options;
+  paint_ = paint;
+  look_ = look;
+  if (!mesh || mesh->corners.size() <= corners_at_once) {
+    item_ = mesh ? made(item_, mesh, options_, paint_) : nullptr;
+    made_of_ = mesh;
+    made_look_ = look;
+  } else if (!making_) {
+    begin();
+  }
+}
+
+void LiveItem::begin() {
+  making_ = true;
+  threads_.start([this, alive = std::weak_ptr(alive_), mesh = wanted_, previous = item_, options = options_,
+                  paint = paint_, look = look_] {
+    const render::MeshItemPtr item = made(previous, mesh, options, paint);
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [this, alive, mesh, options, look, item] {
+          if (!alive.expired()) take(mesh, options, look, item);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void LiveItem::take(const std::shared_ptr<const PolyMesh>& mesh, const render::MeshItemOptions& options, int look,
+                    const render::MeshItemPtr& item) {
+  making_ = false;
+  if (!busy()) return;
+  if (same_options(options, options_)) {
+    item_ = item;
+    made_of_ = mesh;
+    made_look_ = look;
+  }
+  if (busy()) begin();
+  emit ready();
+}
 
 ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
   threads_.setMaxThreadCount(2);
@@ -112,7 +180,7 @@ render::Bounds ObjectScenes::chosen_bounds() const {
     for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
       for (const Index vertex : object.mesh->face(face)) {
         const Vec3 place = to_model(object.mesh->positions[vertex]);
-        bounds.add({place.x(), place.y(), place.z()});
+        bounds.add(to_glm(place));
       }
     }
   }

@@ -5,9 +5,16 @@
 #include <QPointingDevice>
 #include <QTabletEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
 namespace croquis::app {
 namespace {
+
+/// No window is this late: the stamps' clock was reset (X servers count 49 days).
+constexpr double clock_jump_seconds = 60;
+
+/// By which the least difference is forgotten with every event: two clocks never run exactly alike.
+constexpr double drift_seconds = 1e-5;
 
 constexpr double units_per_notch = 120;  // Qt's eighths of a degree
 constexpr double radians = 3.14159265358979 / 180;
@@ -29,6 +36,21 @@ PointerEvent::Action action_of(QEvent::Type type, bool held) {
 }
 
 }  // namespace
+
+double EventClock::time_of(std::uint64_t stamp, double now) {
+  if (stamp == 0) {
+    time_ += now - taken_;
+    lag_ = 0;
+  } else {
+    time_ = static_cast<double>(stamp) * 1e-3;
+    const double difference = now - time_;
+    if (!quickest_ || difference - *quickest_ > clock_jump_seconds) quickest_ = difference;
+    quickest_ = std::min(*quickest_ + drift_seconds, difference);
+    lag_ = difference - *quickest_;
+  }
+  taken_ = now;
+  return time_;
+}
 
 PointerEvent pointer_event(const QMouseEvent& event) {
   PointerEvent result;

@@ -3,6 +3,9 @@
 
 #include <QColor>
 
+#include <glm/vec3.hpp>
+
+#include "croquis/geometry/vector.h"
 #include "croquis/render/color.h"
 
 namespace croquis::app {
@@ -14,5 +17,8 @@ inline render::Color to_color(const QColor& color, int alpha = 255) {
 
 /// The same with the opacity that the colour has itself.
 inline render::Color with_own_alpha(const QColor& color) { return to_color(color, color.alpha()); }
+
+/// A place for the renderer.
+inline glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 
 }  // namespace croquis::app

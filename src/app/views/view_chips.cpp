@@ -2,12 +2,30 @@
 #include "app/views/view_chips.h"
 
 #include <QLocale>
+#include <QToolButton>
+#include <algorithm>
+#include <utility>
 
 #include "app/panels/object_names.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr int chip_gap = 2;
+
+QRect held_within(QRect place, const QRect& bounds) {
+  place.moveLeft(std::max(bounds.left(), std::min(place.left(), bounds.right() - place.width() + 1)));
+  place.moveTop(std::max(bounds.top(), std::min(place.top(), bounds.bottom() - place.height() + 1)));
+  return place;
+}
+
+int distance_squared(const QPoint& a, const QPoint& b) {
+  const QPoint way = a - b;
+  return QPoint::dotProduct(way, way);
+}
+
+constexpr double legend_margin = 10;
 
 constexpr const char* name_style = "color: #5c6470; background: transparent; font-size: 12px";
 constexpr const char* message_style = "color: #8a93a0; background: transparent; font-size: 15px";
@@ -18,6 +36,101 @@ QString faces(std::size_t count) {
 }
 
 }  // namespace
+
+bool ChipSpace::is_free(const QRect& place) const {
+  const QRect wide = place.adjusted(-chip_gap, -chip_gap, chip_gap, chip_gap);
+  return std::none_of(taken_.begin(), taken_.end(), [&](const QRect& other) { return other.intersects(wide); });
+}
+
+std::optional<QRect> ChipSpace::take(const QRect& wanted, const QRect& bounds) {
+  const QRect first = held_within(wanted, bounds);
+  std::optional<QRect> best;
+  // The nearest free place is the wanted one, or touches others, or lies beside one at the wanted height or width.
+  std::vector<int> lefts{first.left()};
+  std::vector<int> tops{first.top()};
+  if (!is_free(first)) {
+    for (const QRect& other : taken_) {
+      lefts.insert(lefts.end(), {other.left() - chip_gap - wanted.width(), other.right() + 1 + chip_gap});
+      tops.insert(tops.end(), {other.top() - chip_gap - wanted.height(), other.bottom() + 1 + chip_gap});
+    }
+  }
+  for (const int left : lefts) {
+    for (const int top : tops) {
+      const QRect place(QPoint(left, top), wanted.size());
+      const bool nearer = !best || distance_squared(place.topLeft(), first.topLeft()) <
+                                       distance_squared(best->topLeft(), first.topLeft());
+      if (nearer && bounds.contains(place) && is_free(place)) best = place;
+    }
+  }
+  if (best) taken_.push_back(*best);
+  return best;
+}
+
+const ViewPane& ChipPlaces::scene_pane() const {
+  return layout_.pane(layout_.alone() >= 0 ? layout_.alone() : PerspectiveView);
+}
+
+void ChipPlaces::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
+  const auto place = space_.take(QRect(at.toPoint(), chip.size()), bounds.toAlignedRect());
+  if (place) chip.move(place->topLeft());
+  chip.setVisible(place.has_value());
+}
+
+void ChipPlaces::put(QWidget& chip, const QPointF& at) { put(chip, at, views_.rect()); }
+
+void ChipPlaces::put_legend(QWidget& legend, bool shown) {
+  const ViewPane& pane = scene_pane();
+  if (!shown || !pane.visible()) return legend.hide();
+  put(legend, QPointF(pane.rect.right() - legend.width(), pane.rect.bottom() - legend.height()) -
+                  QPointF(legend_margin, legend_margin));
+}
+
+QLabel* ChipSet::label(const QString& name, const char* style) {
+  QLabel* label = make_chip_label(views_, style);
+  label->setObjectName(name);
+  chips_.push_back(label);
+  return label;
+}
+
+QToolButton* ChipSet::button(const QString& name, const char* style, std::function<void()> clicked) {
+  auto* button = new QToolButton(&views_);
+  button->setObjectName(name);
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setStyleSheet(style);
+  button->hide();
+  QObject::connect(button, &QToolButton::clicked, button, std::move(clicked));
+  chips_.push_back(button);
+  return button;
+}
+
+void ChipSet::begin(ChipPlaces& places) {
+  places_ = &places;
+  put_.clear();
+}
+
+void ChipSet::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
+  places_->put(chip, at, bounds);
+  put_.push_back(&chip);
+}
+
+void ChipSet::put_in_middle(QWidget& chip, double top, const QRectF& bounds) {
+  chip.adjustSize();
+  put(chip, QPointF(bounds.center().x() - chip.width() / 2.0, top), bounds);
+}
+
+void ChipSet::end() {
+  for (QWidget* chip : chips_) {
+    if (std::ranges::find(put_, chip) == put_.end()) chip->hide();
+  }
+}
+
+QLabel* make_chip_label(QWidget& views, const char* style) {
+  auto* made = new QLabel(&views);
+  made->setAttribute(Qt::WA_TransparentForMouseEvents);
+  made->setStyleSheet(style);
+  made->hide();
+  return made;
+}
 
 ViewChips::ViewChips(Studio& studio, QWidget* views)
     : QObject(views),

@@ -2,14 +2,84 @@
 #pragma once
 
 #include <QLabel>
+#include <QPointF>
+#include <QRect>
+#include <QRectF>
 #include <QWidget>
 #include <array>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "app/studio/studio.h"
-#include "app/views/chip_places.h"
+#include "app/views/view_pane.h"
+
+class QToolButton;
 
 namespace croquis::app {
+
+/// Places for labels and buttons over a view: none covers another. The first ones get the places they want.
+class ChipSpace {
+ public:
+  /// Takes the free place nearest to the wanted one. Nothing when there is none.
+  /// @param bounds that it has to stay within. O(n^3) in the chips near by, O(n) where the wanted place is free.
+  std::optional<QRect> take(const QRect& wanted, const QRect& bounds);
+
+ private:
+  bool is_free(const QRect& place) const;
+
+  std::vector<QRect> taken_;
+};
+
+/// Where labels and buttons over the views go. None covers another; one that finds no place is hidden.
+class ChipPlaces {
+ public:
+  ChipPlaces(const PaneLayout& layout, QWidget& views) : layout_(layout), views_(views) {}
+
+  const PaneLayout& layout() const { return layout_; }
+
+  /// The view that tells of the whole scene: the one alone, else the perspective view.
+  const ViewPane& scene_pane() const;
+
+  /// Shows the chip at the free place nearest to the wanted one, within bounds of the views' widget.
+  void put(QWidget& chip, const QPointF& at, const QRectF& bounds);
+
+  /// The same within the whole widget.
+  void put(QWidget& chip, const QPointF& at);
+
+  /// In the lower right corner of the scene's view, or hidden.
+  void put_legend(QWidget& legend, bool shown);
+
+ private:
+  const PaneLayout& layout_;
+  QWidget& views_;
+  ChipSpace space_;
+};
+
+/// A label over the views that lets the pointer through. @param style a style sheet
+QLabel* make_chip_label(QWidget& views, const char* style);
+
+/// The labels and buttons of one owner over the views. Those that aren't put again are hidden. Those that stay are
+/// never hidden meanwhile: a button would forget that it is pressed.
+class ChipSet {
+ public:
+  explicit ChipSet(QWidget& views) : views_(views) {}
+
+  QLabel* label(const QString& name, const char* style);  ///< lets the pointer through
+  QToolButton* button(const QString& name, const char* style, std::function<void()> clicked);
+
+  void begin(ChipPlaces& places);
+  void put(QWidget& chip, const QPointF& at, const QRectF& bounds);
+  /// In the middle between left and right. @param top of the chip, in the views' pixels
+  void put_in_middle(QWidget& chip, double top, const QRectF& bounds);
+  void end();
+
+ private:
+  QWidget& views_;
+  ChipPlaces* places_ = nullptr;
+  std::vector<QWidget*> chips_;
+  std::vector<QWidget*> put_;
+};
 
 /// The labels that every view has: its name, and in one of them how large the objects are.
 class ViewChips : public QObject {

@@ -2,9 +2,11 @@
 #include "app/views/view_pane.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "app/panels/object_names.h"
+#include "app/views/render_color.h"
 
 namespace croquis::app {
 namespace {
@@ -31,6 +33,49 @@ Eigen::Matrix4d eigen_matrix(const glm::dmat4& matrix) {
     for (int column = 0; column < 4; ++column) result(row, column) = matrix[column][row];
   }
   return result;
+}
+
+constexpr double panes_gap = 2;  // logical pixels between the views
+constexpr double grip = 4;       // to either side of a border
+constexpr double least_pane_share = 0.15;
+
+constexpr double picture_share = 0.96;  // of the pane
+
+/// What a result says, or null.
+std::shared_ptr<const Camera> camera_of(const Evaluation& result) {
+  for (const auto& [port, value] : result.outputs) {
+    if (auto camera = value.as<Camera>(); camera && camera->image_size.minCoeff() > 0) return camera;
+  }
+  return nullptr;
+}
+
+/// Of the middle of what a result holds.
+double depth_in(const Evaluation& result, const Camera& camera) {
+  for (const auto& [port, value] : result.outputs) {
+    const BoundingBox box = bounds_of(value);
+    const double depth = box ? camera.depth(((*box)[0] + (*box)[1]) / 2) : 0;
+    if (depth > 0) return depth;
+  }
+  return 1;
+}
+
+std::optional<SceneCamera> camera_in(const Studio& studio, const WorkObject& object) {
+  for (const NodeId step : object.chain) {
+    // Held here: results are computed and forgotten on other threads meanwhile.
+    const auto result = studio.result(step);
+    const auto camera = result ? camera_of(*result) : nullptr;
+    if (!camera) continue;
+    SceneCamera found;
+    found.node = object.chain.front();
+    found.name = shown_name(object);
+    const Affine3 to_model = object.placement.map();
+    found.camera = Value(camera).transformed(to_model).get<Camera>();
+    const auto sheet = source_of<PerspectiveDrawing>(studio.session().document().find(found.node));
+    if (sheet) found.origin = sheet->origin;
+    found.depth = depth_in(*result, *camera) * std::cbrt(object.placement.scale.prod());
+    return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -118,6 +163,120 @@ ViewPane first_pane(render::NamedView kind) {
   if (kind == render::NamedView::Front) pane.camera.eye = {0, 0, first_height};
   if (pane.flat()) pane.camera.height = first_height;
   return pane;
+}
+
+PaneLayout::PaneLayout()
+    : panes_{first_pane(render::NamedView::Front), first_pane(render::NamedView::Perspective),
+             first_pane(render::NamedView::Top), first_pane(render::NamedView::Side),
+             first_pane(render::NamedView::Perspective)} {}
+
+void PaneLayout::resize(const QSizeF& size) {
+  size_ = size;
+  lay_out();
+}
+
+void PaneLayout::arrange(Arrangement arrangement) {
+  arrangement_ = arrangement;
+  alone_ = -1;
+  lay_out();
+}
+
+void PaneLayout::show_alone(int view) {
+  alone_ = view;
+  lay_out();
+}
+
+std::vector<int> PaneLayout::shown() const {
+  if (alone_ >= 0) return {alone_};
+  switch (arrangement_) {
+    case Arrangement::Four: return {TopView, PerspectiveView, SketchView, SideView};
+    case Arrangement::Compare: return {PerspectiveView, ComparisonView};
+    case Arrangement::SketchAndSolid: break;
+  }
+  return {SketchView, PerspectiveView};
+}
+
+void PaneLayout::lay_out() {
+  for (ViewPane& pane : panes_) pane.rect = QRectF();
+  const std::vector<int> views = shown();
+  if (views.size() == 1) {
+    pane(views.front()).rect = QRectF(QPointF(), size_);
+    return;
+  }
+  const double left = std::round(size_.width() * across_ - panes_gap / 2);
+  const double upper = views.size() == 2 ? size_.height() : std::round(size_.height() * down_ - panes_gap / 2);
+  const double right_width = size_.width() - left - panes_gap;
+  pane(views[0]).rect = QRectF(0, 0, left, upper);
+  pane(views[1]).rect = QRectF(left + panes_gap, 0, right_width, upper);
+  if (views.size() == 2) return;
+  const double lower_height = size_.height() - upper - panes_gap;
+  pane(views[2]).rect = QRectF(0, upper + panes_gap, left, lower_height);
+  pane(views[3]).rect = QRectF(left + panes_gap, upper + panes_gap, right_width, lower_height);
+}
+
+int PaneLayout::view_at(const QPointF& place) const {
+  const std::vector<int> views = shown();
+  const auto distance = [&](int view) {
+    const QRectF& rect = pane(view).rect;
+    const double x = std::max({rect.left() - place.x(), place.x() - rect.right(), 0.0});
+    const double y = std::max({rect.top() - place.y(), place.y() - rect.bottom(), 0.0});
+    return std::hypot(x, y);
+  };
+  return *std::min_element(views.begin(), views.end(), [&](int a, int b) { return distance(a) < distance(b); });
+}
+
+PaneLayout::Border PaneLayout::border_at(const QPointF& place) const {
+  const std::vector<int> views = shown();
+  Border border;
+  if (views.size() == 1) return border;
+  border.across = std::abs(place.x() - pane(views[1]).rect.left()) <= grip;
+  border.down = views.size() == 4 && std::abs(place.y() - pane(views[2]).rect.top()) <= grip;
+  return border;
+}
+
+void PaneLayout::drag_border(const Border& border, const QPointF& place) {
+  set_shares({border.across ? place.x() / size_.width() : across_, border.down ? place.y() / size_.height() : down_});
+}
+
+void PaneLayout::set_shares(const QPointF& shares) {
+  across_ = std::clamp(shares.x(), least_pane_share, 1 - least_pane_share);
+  down_ = std::clamp(shares.y(), least_pane_share, 1 - least_pane_share);
+  lay_out();
+}
+
+render::Camera SceneCamera::in(const ViewPane& pane) const {
+  const double scale =
+      picture_share * std::min(pane.rect.width() / camera.image_size.x(), pane.rect.height() / camera.image_size.y());
+  const double height = pane.rect.height() / scale;  // of the pane, px of the picture
+  const Vec2 offset = camera.principal_point - (origin + camera.image_size / 2);
+  render::Camera through;
+  through.projection = render::Projection::Perspective;
+  through.eye = to_glm(camera.eye);
+  through.target = to_glm(camera.eye + depth * camera.rotation.row(2).transpose());
+  through.up = to_glm(-camera.rotation.row(1).transpose());
+  through.field_of_view = 2 * std::atan(height / (2 * camera.focal_length));
+  through.principal_offset = {offset.x() / height, -offset.y() / height};
+  return through;
+}
+
+glm::dvec3 SceneCamera::before_the_eye(const Vec2& place) const {
+  return to_glm(camera.eye + depth * camera.ray(place));
+}
+
+std::vector<SceneCamera> scene_cameras(const Studio& studio) {
+  std::vector<SceneCamera> cameras;
+  for (const WorkObject& object : studio.objects()) {
+    if (auto camera = camera_in(studio, object)) cameras.push_back(*std::move(camera));
+  }
+  return cameras;
+}
+
+std::optional<SceneCamera> scene_camera(const Studio& studio, NodeId first) {
+  for (const WorkObject& object : studio.objects()) {
+    if (object.chain.front() != first) continue;
+    if (auto camera = camera_in(studio, object)) return camera;
+  }
+  return std::nullopt;
 }
 
 }  // namespace croquis::app

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointF>
 #include <QRectF>
+#include <QSizeF>
+#include <QString>
+#include <array>
+#include <optional>
+#include <vector>
 
+#include "app/studio/studio.h"
+#include "croquis/geometry/camera.h"
 #include "croquis/render/camera.h"
 #include "croquis/render/camera_motion.h"
 #include "croquis/render/scene.h"
@@ -47,5 +55,82 @@ struct ViewPane {
 
 /// The view as it is before anything is framed: flat ones show one unit a pixel.
 ViewPane first_pane(render::NamedView kind);
+
+constexpr double even_share = 0.5;  ///< of the views' width, for each of two
+
+/// Which views stand beside each other.
+enum class Arrangement {
+  SketchAndSolid,  ///< the sketch, the perspective view
+  Four,            ///< top, perspective; front, side
+  Compare          ///< the perspective view twice, with the same camera: another scheme in the second one
+};
+
+/// Where the window's views lie: one alone, or several with borders that can be dragged.
+class PaneLayout {
+ public:
+  PaneLayout();
+
+  ViewPane& pane(int view) { return panes_[static_cast<std::size_t>(view)]; }
+  const ViewPane& pane(int view) const { return panes_[static_cast<std::size_t>(view)]; }
+
+  /// Logical pixels of the widget.
+  void resize(const QSizeF& size);
+
+  Arrangement arrangement() const { return arrangement_; }
+  void arrange(Arrangement arrangement);  ///< shows all of its views
+
+  /// The view that fills the widget, or -1.
+  int alone() const { return alone_; }
+  void show_alone(int view);  ///< -1: all views of the arrangement
+
+  std::vector<int> shown() const;
+
+  /// The view at a place of the widget; the nearest one on a border.
+  int view_at(const QPointF& place) const;
+
+  /// What of the borders lies at a place: they can be dragged one by one, or both where they cross.
+  struct Border {
+    bool across = false;  ///< the upright one, which parts left from right
+    bool down = false;
+    bool any() const { return across || down; }
+  };
+  Border border_at(const QPointF& place) const;
+  void drag_border(const Border& border, const QPointF& place);
+
+  /// Shares of the left and of the upper views; what can't be dragged to becomes the nearest that can.
+  QPointF shares() const { return {across_, down_}; }
+  void set_shares(const QPointF& shares);
+
+ private:
+  void lay_out();
+
+  std::array<ViewPane, view_count> panes_;
+  QSizeF size_{1, 1};
+  Arrangement arrangement_ = Arrangement::SketchAndSolid;
+  int alone_ = -1;
+  double across_ = 0.5;  ///< share of the left views
+  double down_ = 0.5;    ///< share of the upper views
+};
+
+/// A camera that some step of an object gives: views can be held at it.
+struct SceneCamera {
+  NodeId node = 0;             ///< the first one of the object's chain
+  QString name;                ///< of the object
+  Camera camera;               ///< in the space of the views
+  Vec2 origin = Vec2::Zero();  ///< upper left corner of its picture, px
+  double depth = 1;            ///< before the eye, of the middle of what was found; > 0
+
+  /// The view's camera that shows the whole picture as large as it fits into the pane, with whatever lies before it.
+  render::Camera in(const ViewPane& pane) const;
+
+  /// A place of the picture at that depth before the eye.
+  glm::dvec3 before_the_eye(const Vec2& place) const;
+};
+
+/// Of all objects, in their order.
+std::vector<SceneCamera> scene_cameras(const Studio& studio);
+
+/// Of the object that begins with that node.
+std::optional<SceneCamera> scene_camera(const Studio& studio, NodeId first);
 
 }  // namespace croquis::app

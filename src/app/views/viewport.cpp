@@ -7,8 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/studio/own_space.h"
 #include "app/views/offscreen_pictures.h"
+#include "app/views/own_space.h"
+#include "app/views/render_color.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -71,7 +72,7 @@ void Viewport::connect_parts() {
   connect(&studio_, &Studio::changed, this, &Viewport::follow_document);
   connect(&studio_, &Studio::result_changed, this, &Viewport::follow_result);
   connect(&objects_, &ObjectScenes::changed, this, [this] {
-    for (Tool* tool : tools_) tool->follow_scenes();
+    for (Tool* tool : tools_) tool->follow(Change::Scenes);
     keep_in_view();
     redraw_all();
   });
@@ -101,7 +102,7 @@ bool Viewport::is_drawn_on(int view) const {
 }
 
 bool Viewport::is_paper(int view) const {
-  return std::ranges::any_of(tools_, [&](const Tool* tool) { return tool->is_paper(view); });
+  return std::ranges::any_of(tools_, [&](const Tool* tool) { return tool->use_of(view).paper; });
 }
 
 std::optional<Ink> Viewport::ink() const {
@@ -250,7 +251,7 @@ void Viewport::follow_load() {
 
 void Viewport::follow_document() {
   objects_.follow();
-  for (Tool* tool : tools_) tool->follow_document();
+  for (Tool* tool : tools_) tool->follow(Change::Document);
   const bool has_meshes = has_mesh(studio_);
   if (has_meshes && !had_meshes_ && !is_drawn_on(SketchView)) {
     // A document of meshes begins with the perspective view; Space shows the others.
@@ -268,7 +269,7 @@ void Viewport::follow_document() {
 
 void Viewport::follow_result() {
   objects_.follow();  // signals when it has changed: views are framed then
-  for (Tool* tool : tools_) tool->follow_result();
+  for (Tool* tool : tools_) tool->follow(Change::Result);
   redraw_all();
   emit help_changed();
 }
@@ -403,8 +404,7 @@ static std::array<glm::dvec3, 3> upright_axes() {
   std::array<glm::dvec3, 3> axes;
   const Affine3 placement = upright_placement();
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 way = placement.linear.col(axis);
-    axes[static_cast<std::size_t>(axis)] = {way.x(), way.y(), way.z()};
+    axes[static_cast<std::size_t>(axis)] = to_glm(placement.linear.col(axis));
   }
   return axes;
 }
@@ -475,7 +475,7 @@ void Viewport::place_chips() {
   for (int view = 0; view < view_count; ++view) {
     for (const Tool* tool : tools_) {
       if (titles[static_cast<std::size_t>(view)].isEmpty())
-        titles[static_cast<std::size_t>(view)] = tool->view_title(view);
+        titles[static_cast<std::size_t>(view)] = tool->use_of(view).title;
     }
   }
   if (const auto camera = looked_through()) titles[PerspectiveView] = tr("Camera of %1").arg(camera->name);

@@ -12,13 +12,12 @@
 
 #include "app/studio/studio.h"
 #include "app/tools/tool.h"
-#include "app/views/event_clock.h"
 #include "app/views/ink_sheet.h"
 #include "app/views/marking_menu.h"
 #include "app/views/object_scenes.h"
-#include "app/views/pane_layout.h"
-#include "app/views/scene_camera.h"
+#include "app/views/pointer_events.h"
 #include "app/views/view_chips.h"
+#include "app/views/view_pane.h"
 #include "croquis/render/renderer.h"
 #include "croquis/tools/pointer/navigation.h"
 

@@ -2,6 +2,7 @@
 // What the cameras of the views are set to: when asked, and when there is something new to be seen.
 #include <utility>
 
+#include "app/views/render_color.h"
 #include "app/views/viewport.h"
 
 namespace croquis::app {
@@ -64,7 +65,7 @@ render::Bounds Viewport::picked_bounds() const {
     const Affine3 to_model = object.placement.map();
     for (const Vec3& own : object.shown() ? object.shown()->positions : std::vector<Vec3>()) {
       const Vec3 place = to_model(own);
-      bounds.add({place.x(), place.y(), place.z()});
+      bounds.add(to_glm(place));
     }
   }
   return bounds;

@@ -77,7 +77,7 @@ bool Viewport::event(QEvent* event) {
     if (key->key() == twin_key && !key->isAutoRepeat()) navigation_.set_twin_key(event->type() == QEvent::KeyPress);
     const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
     if (enter && event->type() == QEvent::KeyPress) {
-      if (Tool* tool = tool_in(under_pointer_)) tool->accept();
+      if (Tool* tool = tool_in(under_pointer_)) tool->command(EditCommand::Accept);
     }
     navigation_.modifiers_changed(
         {key->modifiers().testFlag(Qt::ShiftModifier), key->modifiers().testFlag(Qt::ControlModifier),
@@ -143,8 +143,9 @@ void Viewport::take(const PointerEvent& event, const QPointF& place, std::uint64
   PointerEvent timed = event;
   timed.time = event_clock_.time_of(stamp, seconds());
   const bool moves = event.action == PointerEvent::Action::Move || event.action == PointerEvent::Action::Hover;
-  const Tool* tool = tool_in(grabbed_ >= 0 ? grabbed_ : under_pointer_);
-  const bool draws = event.buttons.any() && tool != nullptr && tool->needs_every_move();
+  const int view = grabbed_ >= 0 ? grabbed_ : under_pointer_;
+  const Tool* tool = tool_in(view);
+  const bool draws = event.buttons.any() && tool != nullptr && tool->use_of(view).every_move;
   if (event.device == PointerEvent::Device::Mouse && moves && !draws && event_clock_.lag() > late_seconds) {
     const bool same_hand = late_move_ && late_move_->event.buttons == event.buttons;
     if (!same_hand) {
@@ -259,7 +260,7 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
 
 void Viewport::show_cursor(int view) {
   const Tool* tool = tool_in(view);
-  setCursor(tool == nullptr ? Qt::ArrowCursor : tool->cursor(view));
+  setCursor(tool == nullptr ? Qt::ArrowCursor : tool->use_of(view).cursor);
 }
 
 bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {

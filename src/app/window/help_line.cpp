@@ -4,11 +4,11 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QStyle>
 #include <QToolButton>
 #include <QUrl>
 #include <algorithm>
-
-#include "app/window/elided_label.h"
 
 namespace croquis::app {
 namespace {
@@ -26,6 +26,32 @@ QColor color_of(HelpLine::Tone tone) {
 }
 
 }  // namespace
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setMinimumWidth(1);  // else the whole text is the least width
+}
+
+void ElidedLabel::show_text(const QString& text, const QString& more) {
+  more_ = more;
+  setText(text);
+  follow_width();
+}
+
+QString ElidedLabel::seen() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
+
+void ElidedLabel::follow_width() { setToolTip(more_.isEmpty() && seen() != text() ? text() : more_); }
+
+void ElidedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  follow_width();
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(), seen(),
+                        foregroundRole());
+}
 
 HelpLine::HelpLine(QWidget* parent)
     : QWidget(parent),

@@ -18,17 +18,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/files/opening_report.h"
+#include "app/files/file_reader.h"
 #include "app/replay/replay_player.h"
 #include "app/start/gallery.h"
-#include "app/start/gallery_thumbnails.h"
 #include "app/start/start_page.h"
-#include "app/tools/all_tools.h"
+#include "app/tools/tool.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/panel_docks.h"
-#include "app/window/window_layout.h"
-#include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
@@ -112,7 +109,7 @@ void MainWindow::connect_files() {
     hold_usable_tool();
     show_views();
     report_opening(path, warnings);
-    for (const auto& tool : tools_) tool->opened();
+    for (const auto& tool : tools_) tool->follow(Change::Opened);
   });
   connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
     last_findings_ = findings;
@@ -133,7 +130,7 @@ void MainWindow::connect_start_page() {
     if (!may_discard() || !attempt([&] { files_.start_sample(name); })) return;
     hold_usable_tool();
     show_views();
-    for (const auto& tool : tools_) tool->opened();
+    for (const auto& tool : tools_) tool->follow(Change::Opened);
     if (const QString first = first_action_of_sample(name); !first.isEmpty()) action(first)->trigger();
   });
   connect(start_page_, &StartPage::recovery_wanted, this, [this](const RecoveryOffer& offer) {
@@ -229,7 +226,7 @@ void MainWindow::stop_computing() {
   const bool was_busy = studio_.busy();
   studio_.cancel();
   if (!was_busy) return;
-  for (const auto& tool : tools_) tool->cancel();
+  for (const auto& tool : tools_) tool->command(EditCommand::Cancel);
 }
 
 void MainWindow::update_title() {

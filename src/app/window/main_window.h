@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/export_check.h"
+#include "app/files/mesh_export.h"
 #include "app/files/project_files.h"
 #include "app/studio/studio.h"
 #include "app/tools/tool.h"
@@ -186,6 +186,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   std::optional<ExportCheck> checked_for_export(const MeshExport& wanted);
   void show_doubt(const ExportCheck& check, const MeshExport& wanted);
   static QString export_action(const OperationDescription& operation);
+  QString asked_path(const QString& title, const QString& ending, const QString& filter);
   void ask_export_result(const OperationDescription& operation);
   void ask_export_step();
   void ask_export_picture();

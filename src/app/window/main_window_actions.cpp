@@ -18,13 +18,13 @@
 #include <future>
 #include <utility>
 
-#include "app/files/picture_reader.h"
+#include "app/files/file_reader.h"
 #include "app/panels/object_names.h"
+#include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/icons.h"
 #include "app/window/main_window.h"
-#include "app/window/picture_question.h"
 #include "croquis/base/error.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/perspective/sheet_units.h"
@@ -167,7 +167,7 @@ void MainWindow::make_edit_actions() {
 }
 
 void MainWindow::select_all() {
-  if (std::ranges::any_of(tools_, [](const auto& tool) { return tool->select_all(); })) return;
+  if (std::ranges::any_of(tools_, [](const auto& tool) { return tool->command(EditCommand::SelectAll); })) return;
   Selection selection;
   for (const auto& tool : tools_) tool->add_all_to(selection);
   for (const WorkObject& object : studio_.objects()) {
@@ -179,7 +179,7 @@ void MainWindow::select_all() {
 void MainWindow::delete_selection() {
   // The tools with few modes of their own come last: their turn is first.
   for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
-    if ((*tool)->delete_selection()) return;
+    if ((*tool)->command(EditCommand::Delete)) return;
   }
   record(recorded::Action{"delete"});
   studio_.remove_objects(studio_.picked());
@@ -189,7 +189,7 @@ void MainWindow::select_none() {
   if (viewport_->abandon()) return;
   viewport_->marking_menu().dismiss();
   for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
-    if ((*tool)->select_none()) return;
+    if ((*tool)->command(EditCommand::SelectNone)) return;
   }
   studio_.session().select({});
 }
@@ -423,36 +423,35 @@ void MainWindow::show_doubt(const ExportCheck& check, const MeshExport& wanted) 
   render::Bounds bounds;
   for (const Vec3& corner : {check.where.min(), check.where.max()}) {
     const Vec3 place = corner / files_.export_scale(wanted);
-    bounds.add({place.x(), place.y(), place.z()});
+    bounds.add(to_glm(place));
   }
   viewport_->pane(PerspectiveView).frame(bounds);
   viewport_->redraw_all();
 }
 
+/// A file that people name for what is worked on; empty where they don't. @param ending that it has unless they give
+/// one
+QString MainWindow::asked_path(const QString& title, const QString& ending, const QString& filter) {
+  const QString proposed = QString::fromStdString(document_name(studio_)) + ending;
+  const QString path = QFileDialog::getSaveFileName(this, title, proposed_path(proposed), filter);
+  return path.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path : path + ending;
+}
+
 void MainWindow::ask_export_result(const OperationDescription& operation) {
-  const QString proposed = QString::fromStdString(document_name(studio_)) + ".json";
   const QString title = tr("Export %1").arg(QString::fromStdString(operation.title).toLower());
-  QString path = QFileDialog::getSaveFileName(this, title, proposed_path(proposed), tr("JSON (*.json)"));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".json";
-  attempt([&] { tell_written(path, files_.export_result(operation, path)); });
+  const QString path = asked_path(title, ".json", tr("JSON (*.json)"));
+  if (!path.isEmpty()) attempt([&] { tell_written(path, files_.export_result(operation, path)); });
 }
 
 void MainWindow::ask_export_step() {
   if (const std::string why = why_no_step(); !why.empty()) return tell(QString::fromStdString(why));
-  const QString proposed = QString::fromStdString(document_name(studio_)) + ".step";
-  QString path =
-      QFileDialog::getSaveFileName(this, tr("Export STEP"), proposed_path(proposed), tr("STEP (*.step *.stp)"));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".step";
-  attempt([&] { files_.export_step(path); });
+  const QString path = asked_path(tr("Export STEP"), ".step", tr("STEP (*.step *.stp)"));
+  if (!path.isEmpty()) attempt([&] { files_.export_step(path); });
 }
 
 void MainWindow::ask_export_picture() {
-  const QString proposed = QString::fromStdString(document_name(studio_)) + ".png";
-  QString path = QFileDialog::getSaveFileName(this, tr("Export picture"), proposed_path(proposed), tr("PNG (*.png)"));
+  const QString path = asked_path(tr("Export picture"), ".png", tr("PNG (*.png)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
   attempt([&] {
     export_picture(path);
     tell_written(path);
@@ -461,12 +460,9 @@ void MainWindow::ask_export_picture() {
 
 void MainWindow::ask_export_drawing() {
   const bool network = studio_.network_node() != 0;
-  const QString ending = network ? QStringLiteral(".json") : QStringLiteral(".svg");
-  const QString proposed = QString::fromStdString(document_name(studio_)) + ending;
-  QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"), proposed_path(proposed),
-                                              network ? tr("Network of curves (*.json)") : tr("SVG (*.svg)"));
+  const QString path = asked_path(tr("Export drawing"), network ? ".json" : ".svg",
+                                  network ? tr("Network of curves (*.json)") : tr("SVG (*.svg)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ending;
   attempt([&] {
     files_.export_drawing(path);
     tell_written(path);

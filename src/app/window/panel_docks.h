@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QList>
 #include <QObject>
+#include <QPointF>
+#include <QSize>
 #include <QString>
 #include <QStringList>
+#include <optional>
 
 class QDockWidget;
 class QMainWindow;
+class QWidget;
 
 namespace croquis::app {
 
@@ -76,5 +81,21 @@ class PanelDocks : public QObject {
   bool room_given_ = false;         ///< to all of them
   QList<QDockWidget*> roomy_ = {};  ///< those that got theirs
 };
+
+/// How the window lay when it was closed, as the user's settings keep it.
+struct WindowLayout {
+  QByteArray geometry;        ///< QWidget::saveGeometry
+  QByteArray panels;          ///< QMainWindow::saveState, of the views
+  QStringList closed_panels;  ///< their names
+  QPointF pane_shares;        ///< PaneLayout::shares
+};
+
+/// Nothing when none was kept.
+std::optional<WindowLayout> kept_layout();
+void keep_layout(const WindowLayout& layout);
+void forget_layout();
+
+/// Makes a window no larger than the free part of its screen, its frame included, and moves it in there.
+void fit_to_screen(QWidget& window);
 
 }  // namespace croquis::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tools/tool_host.h"
+#include "app/tools/tool.h"
 #include "app/window/action_list.h"
 
 namespace croquis::app {

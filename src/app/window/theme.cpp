@@ -11,23 +11,23 @@
 namespace croquis::app {
 namespace {
 
-const QColor window(56, 58, 63);
+const QColor window_grey(56, 58, 63);
 const QColor base(43, 45, 49);
 const QColor raised(70, 73, 79);
-const QColor text(226, 228, 232);
+const QColor light_text(226, 228, 232);
 const QColor faint(140, 145, 153);
 
 QPalette dark_palette() {
   QPalette palette;
-  palette.setColor(QPalette::Window, window);
-  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Window, window_grey);
+  palette.setColor(QPalette::WindowText, light_text);
   palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, window);
-  palette.setColor(QPalette::Text, text);
+  palette.setColor(QPalette::AlternateBase, window_grey);
+  palette.setColor(QPalette::Text, light_text);
   palette.setColor(QPalette::Button, raised);
-  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::ButtonText, light_text);
   palette.setColor(QPalette::ToolTipBase, base);
-  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::ToolTipText, light_text);
   palette.setColor(QPalette::PlaceholderText, faint);
   palette.setColor(QPalette::Highlight, colors::accent);
   palette.setColor(QPalette::HighlightedText, QColor(24, 24, 26));
@@ -90,7 +90,7 @@ QColor sentence_color(Severity severity) {
     case Severity::Warning: return colors::warning.lighter(120);
     case Severity::Info: break;
   }
-  return text;
+  return light_text;
 }
 
 }  // namespace croquis::app

@@ -9,7 +9,6 @@
 
 #include "croquis/base/error.h"
 #include "tools/holes/hole_scene.h"
-#include "tools/holes/patch_pull.h"
 
 namespace croquis {
 namespace {

@@ -7,9 +7,7 @@
 
 #include "croquis/geometry/polyline.h"
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "tools/pointer/face_hit.h"
 #include "tools/pointer/face_tree.h"
-#include "tools/pointer/query_threads.h"
 #include "tools/pointer/seen_faces.h"
 
 namespace croquis {

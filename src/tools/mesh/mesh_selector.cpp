@@ -14,27 +14,32 @@ namespace {
 
 using How = PickHow;
 
-const char* name_of(How how) {
-  switch (how) {
-    case How::Replace: return "replace";
-    case How::Add: return "add";
-    case How::Remove: return "remove";
-    case How::Toggle: return "toggle";
-    case How::Loop: return "loop";
-    case How::Ring: return "ring";
-    case How::Path: return "path";
-    case How::Connected: return "connected";
-    case How::Chain: return "chain";
-    case How::All: return "all";
-  }
-  return "replace";
-}
+/// In the order of PickHow.
+constexpr std::array how_names{"replace", "add",  "remove",    "toggle", "loop",
+                               "ring",    "path", "connected", "chain",  "all"};
 
 bool shares_row(std::span<const Index> row, Index element) {
   return std::find(row.begin(), row.end(), element) != row.end();
 }
 
+/// Rows through each of many edges; an edge that a row has already found needs no row of its own.
+template <typename Row>
+Elements rows_through(const Elements& edges, Row row) {
+  std::set<Index> found;
+  for (const Index edge : edges) {
+    if (found.contains(edge)) continue;
+    const Elements more = row(edge);
+    found.insert(more.begin(), more.end());
+  }
+  return {found.begin(), found.end()};
+}
+
 }  // namespace
+
+PickHow pick_how(const std::string& name) {
+  const auto found = std::ranges::find(how_names, name);
+  return found == how_names.end() ? How::Replace : static_cast<How>(found - how_names.begin());
+}
 
 MeshMode mode_of(ComponentKind kind) {
   if (kind == ComponentKind::Vertex) return MeshMode::Vertex;
@@ -154,7 +159,7 @@ Verdict MeshSelector::choose_if_any(ComponentKind wanted, Elements elements) {
 Verdict MeshSelector::pick(ComponentKind wanted, Elements elements, How how) {
   if (editable_.prepared() == nullptr) return Verdict::Continue;
   if (mode_ != mode_of(wanted)) set_mode(mode_of(wanted));
-  recorded::Pick step{editable_.node_name(), singular(wanted), elements, name_of(how)};
+  recorded::Pick step{editable_.node_name(), singular(wanted), elements, how_names[static_cast<std::size_t>(how)]};
   Elements found = found_by(wanted, std::move(elements), how);
   if (how == How::Remove) {
     found = subtracted(selected(), found);
@@ -233,79 +238,29 @@ Verdict MeshSelector::select_none() {
   return choose(kind(), {});
 }
 
-Verdict MeshSelector::invert_selection() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || mode_ == MeshMode::Object) return Verdict::Continue;
-  return choose(kind(), inverted(selected(), element_count(*now->topology, kind())));
-}
-
-Verdict MeshSelector::grow_selection() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || selected().empty()) return Verdict::Continue;
-  return choose(kind(), grown(*now->topology, kind(), selected()));
-}
-
-Verdict MeshSelector::shrink_selection() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || selected().empty()) return Verdict::Continue;
-  return choose(kind(), shrunk(*now->topology, kind(), selected()));
-}
-
-namespace {
-
-/// Rows through each of many edges; an edge that a row has already found needs no row of its own.
-template <typename Row>
-Elements rows_through(const Elements& edges, Row row) {
-  std::set<Index> found;
-  for (const Index edge : edges) {
-    if (found.contains(edge)) continue;
-    const Elements more = row(edge);
-    found.insert(more.begin(), more.end());
-  }
-  return {found.begin(), found.end()};
-}
-
-}  // namespace
-
-Verdict MeshSelector::select_loop() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
-  return choose_if_any(kind(), rows_through(selected(), [&](Index e) { return edge_loop(*now->topology, e); }));
-}
-
-Verdict MeshSelector::select_ring() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
-  return choose_if_any(kind(), rows_through(selected(), [&](Index e) { return edge_ring(*now->topology, e); }));
-}
-
-Verdict MeshSelector::select_connected() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || selected().empty()) return Verdict::Continue;
-  return choose(kind(), connected(*now->topology, kind(), selected()));
-}
-
-Verdict MeshSelector::select_chain() {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || mode_ != MeshMode::Edge) return Verdict::Continue;
-  const auto chain = [&](Index edge) { return tagged_chain(*now->topology, now->mesh->tags, edge); };
-  return choose_if_any(kind(), rows_through(selected(), chain));
-}
-
-Verdict MeshSelector::select_boundary() {
-  const PreparedMesh* now = editable_.prepared();
-  return now == nullptr ? Verdict::Continue : choose_if_any(ComponentKind::Edge, boundary_edges(*now->topology));
-}
-
-Verdict MeshSelector::select_tagged() {
+Verdict MeshSelector::reselect(Reselect how) {
   const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
-  return choose_if_any(ComponentKind::Edge, tagged_edges(now->mesh->tags, *now->topology));
-}
-
-Verdict MeshSelector::select_between() {
-  if (editable_.prepared() == nullptr || selected().size() != 2) return Verdict::Continue;
-  return pick(kind(), selected(), How::Path);
+  const MeshTopology& topology = *now->topology;
+  const ComponentKind own = kind();
+  const auto rows = [&](auto row) {
+    return mode_ == MeshMode::Edge ? choose_if_any(own, rows_through(selected(), row)) : Verdict::Continue;
+  };
+  const bool is_object = mode_ == MeshMode::Object, is_none = selected().empty();
+  switch (how) {
+    case Reselect::Invert:
+      return is_object ? Verdict::Continue : choose(own, inverted(selected(), element_count(topology, own)));
+    case Reselect::Grow: return is_none ? Verdict::Continue : choose(own, grown(topology, own, selected()));
+    case Reselect::Shrink: return is_none ? Verdict::Continue : choose(own, shrunk(topology, own, selected()));
+    case Reselect::Connected: return is_none ? Verdict::Continue : choose(own, connected(topology, own, selected()));
+    case Reselect::Loop: return rows([&](Index edge) { return edge_loop(topology, edge); });
+    case Reselect::Ring: return rows([&](Index edge) { return edge_ring(topology, edge); });
+    case Reselect::Chain: return rows([&](Index edge) { return tagged_chain(topology, now->mesh->tags, edge); });
+    case Reselect::Boundary: return choose_if_any(ComponentKind::Edge, boundary_edges(topology));
+    case Reselect::Tagged: return choose_if_any(ComponentKind::Edge, tagged_edges(now->mesh->tags, topology));
+    case Reselect::Between: return selected().size() == 2 ? pick(own, selected(), How::Path) : Verdict::Continue;
+  }
+  return Verdict::Continue;
 }
 
 Verdict MeshSelector::select_sharper_than(double degrees) {

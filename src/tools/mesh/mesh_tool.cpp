@@ -30,6 +30,53 @@ bool same_hover(const std::optional<PickedElement>& a, const std::optional<Picke
   return a.has_value() == b.has_value() && (!a || (a->element == b->element && a->parameter == b->parameter));
 }
 
+[[noreturn]] void refuse_step(const std::string& sentence) {
+  throw Error(make_error(Category::Usage, "E_INPUT", sentence));
+}
+
+Verdict replay_pick(MeshTool& tool, const recorded::Pick& step) {
+  const auto topology = tool.editable().topology();
+  if (!topology) refuse_step("\"" + step.node + "\" holds no mesh");
+  const ComponentKind kind = kind_of_singular(step.kind).value_or(ComponentKind::Edge);
+  const std::size_t count = element_count(*topology, kind);
+  for (const Index element : step.elements) {
+    if (element >= count) refuse_step("The mesh has no " + step.kind + " " + std::to_string(element));
+  }
+  return tool.selection().pick(kind, step.elements, pick_how(step.how));
+}
+
+Verdict replay_edit(MeshTool& tool, const recorded::EditStep& step) {
+  if (!tool.editable().mesh()) refuse_step("\"" + step.node + "\" holds no mesh");
+  if (!step.again) return tool.edits().apply(step.line);
+  const EditLine* last = tool.edits().last();
+  if (last == nullptr || last->edit != step.line.edit || !(last->target == step.line.target)) {
+    refuse_step("\"" + to_text(step.line) + "\" isn't the last edit with other parameters");
+  }
+  return tool.edits().adjust(step.line.parameters);
+}
+
+Verdict replay_tag(MeshTool& tool, const recorded::Tag& step) {
+  const PreparedMesh* now = tool.editable().prepared();
+  if (now == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
+  TagEditor& tags = tool.tags();
+  if (step.change) return tags.change_sharpness(*step.change);
+  const double sharpness = step.sharpness.value_or(infinite_sharpness);
+  if (step.edges == "boundary") return tags.tag_boundary(sharpness);
+  if (step.edges == "sharper-than") return tags.tag_sharper_than(step.degrees, sharpness);
+  if (step.edges == "tagged") return tags.tag_edges(tagged_edges(now->mesh->tags, *now->topology), sharpness);
+  return tags.tag(sharpness);
+}
+
+Verdict replay_tag_set(TagEditor& tags, const recorded::TagSet& step) {
+  const double sharpness = step.sharpness.value_or(infinite_sharpness);
+  if (step.how == "rename") return tags.rename_set(step.name, step.other);
+  if (step.how == "sharpness") return tags.set_set_sharpness(step.name, sharpness);
+  if (step.how == "select") return tags.select_set(step.name);
+  if (step.how == "merge") return tags.merge_sets(step.name, step.other);
+  if (step.how == "remove" || step.how == "untag") return tags.remove_set(step.name, step.how == "untag");
+  return tags.make_set(step.name, sharpness);
+}
+
 }  // namespace
 
 MeshTool::MeshTool(Session& session, MeshToolOptions options) : MeshTool(session, nullptr, options) {}
@@ -366,6 +413,24 @@ Verdict MeshTool::click_again(Index element) {
   if (goes_on && !selector_.path(kind, anchor_before_, element).empty())
     return selector_.pick(kind, {anchor_before_, element}, PickHow::Path);
   return selector_.pick(kind, {element}, whole);
+}
+
+// ---- Recordings
+
+Verdict MeshTool::replay(const recorded::Step& step) {
+  MeshEditor& editor = edits();
+  if (const auto* pick = step.as<recorded::Pick>()) return replay_pick(*this, *pick);
+  if (const auto* edit = step.as<recorded::EditStep>()) return replay_edit(*this, *edit);
+  if (const auto* move = step.as<recorded::Move>()) return editor.move_selected(move->by);
+  if (const auto* turn = step.as<recorded::Rotate>())
+    return editor.rotate_selected(turn->axis, turn->degrees, turn->pivot);
+  if (const auto* scale = step.as<recorded::Scale>()) return editor.scale_selected(scale->factors, scale->pivot);
+  if (const auto* extrusion = step.as<recorded::Extrude>()) return editor.extrude(extrusion->by);
+  if (const auto* cut = step.as<recorded::LoopCut>()) return editor.cut_loop(cut->edge, cut->at);
+  if (const auto* tag = step.as<recorded::Tag>()) return replay_tag(*this, *tag);
+  if (const auto* pin = step.as<recorded::Pin>()) return tags().pin(pin->pinned);
+  if (const auto* set = step.as<recorded::TagSet>()) return replay_tag_set(tags(), *set);
+  refuse_step("\"" + step.kind().verbs.front() + "\" is no step on a mesh");
 }
 
 }  // namespace croquis

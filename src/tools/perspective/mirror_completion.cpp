@@ -21,9 +21,9 @@ constexpr double fit_tolerance = 0.1;
 constexpr int least_edges = 3;
 
 /// Ids need no names here: vertices and curves are found by their numbers.
-class MirroredNetwork {
+class MirroredCurves {
  public:
-  MirroredNetwork(const SolvedDrawing& solved, const MirrorPlane& plane, const MirrorOptions& options)
+  MirroredCurves(const SolvedDrawing& solved, const MirrorPlane& plane, const MirrorOptions& options)
       : solved_(solved), plane_(plane) {
     const auto& vertices = network().vertices;
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -104,7 +104,7 @@ std::optional<Vec2> drawn_place(const PerspectiveDrawing& drawing, const SolvedD
 }
 
 /// The image's picture: places on it, empty when some of it isn't before the eye.
-std::vector<Vec2> seen_image(const SolvedDrawing& solved, const MirroredNetwork& mirror, const NetworkCurve& curve) {
+std::vector<Vec2> seen_image(const SolvedDrawing& solved, const MirroredCurves& mirror, const NetworkCurve& curve) {
   std::vector<Vec2> places;
   for (const RationalCubic& piece : curve.pieces) {
     for (int i = places.empty() ? 0 : 1; i < samples_per_curve; ++i) {
@@ -171,7 +171,7 @@ std::vector<MirrorPlane> planes_to_try(const CurveNetwork& network) {
 
 /// Vertices that have their image count for the plane; those that stay without are a reason against it, unless
 /// they lie off a plane at which open ends wait for the other half.
-double worth_of(const MirroredNetwork& mirror, const std::vector<int>& counts) {
+double worth_of(const MirroredCurves& mirror, const std::vector<int>& counts) {
   const auto& vertices = mirror.network().vertices;
   std::size_t in_plane = 0, waiting = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -191,7 +191,7 @@ std::vector<PerspectiveStroke> mirrored_strokes(const PerspectiveDrawing& drawin
                                                 const MirrorPlane& plane, const MirrorOptions& options) {
   std::vector<PerspectiveStroke> strokes;
   if (solved.network.vertices.empty()) return strokes;
-  const MirroredNetwork mirror(solved, plane, options);
+  const MirroredCurves mirror(solved, plane, options);
   const double reach = options.same_sheet * drawing.diagonal();
   for (const NetworkCurve& curve : solved.network.curves) {
     const PerspectiveStroke* original = find_stroke(drawing, curve.id);
@@ -222,7 +222,7 @@ std::optional<MirrorProposal> propose_mirror(const PerspectiveDrawing& drawing, 
   double best = 0;
   MirrorProposal proposal;
   for (const MirrorPlane& plane : planes_to_try(solved.network)) {
-    const MirroredNetwork mirror(solved, plane, options);
+    const MirroredCurves mirror(solved, plane, options);
     const double worth = worth_of(mirror, counts);
     if (worth <= best) continue;
     std::vector<PerspectiveStroke> strokes = mirrored_strokes(drawing, solved, plane, options);

@@ -79,26 +79,13 @@ PerspectiveDrawing empty_sheet(const Vec2& size) {
 
 // ---- The document
 
-NodeId PerspectiveTool::node() const {
-  if (source_of<PerspectiveDrawing>(session_.document().find(node_)) != nullptr) return node_;
-  for (const auto& node : session_.document().nodes()) {
-    if (source_of<PerspectiveDrawing>(node.get()) != nullptr) return node->id;
-  }
-  return 0;
-}
+NodeId PerspectiveTool::node() const { return source_node<PerspectiveDrawing>(session_.document(), node_); }
 
 std::shared_ptr<const PerspectiveDrawing> PerspectiveTool::drawing() const {
   return source_of<PerspectiveDrawing>(session_.document().find(node()));
 }
 
-NodeId PerspectiveTool::operation_node() const {
-  const NodeId own = node();
-  for (const auto& node : session_.document().nodes()) {
-    const auto input = node->inputs.find(options_.port);
-    if (own != 0 && input != node->inputs.end() && input->second.node == own) return node->id;
-  }
-  return 0;
-}
+NodeId PerspectiveTool::operation_node() const { return operation_on(session_.document(), node(), options_.port); }
 
 PerspectiveDrawing PerspectiveTool::drawing_or_empty() const {
   const auto now = drawing();

@@ -2,7 +2,6 @@
 #include "croquis/tools/perspective/sheet_units.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 

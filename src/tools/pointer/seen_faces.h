@@ -1,12 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "tools/pointer/screen_mesh.h"
+#include "croquis/base/parallel.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/tools/pointer/mesh_event.h"
+#include "croquis/tools/pointer/view_frame.h"
 
 namespace croquis {
+
+/// Threads that a query may use: all of the machine's, up to a few.
+inline int query_threads() {
+  constexpr std::size_t most_query_threads = 8;
+  return static_cast<int>(std::min(thread_count(0), most_query_threads));
+}
+
+/// Where a view shows an edge, or the part of it before the eye.
+struct ScreenSegment {
+  Projected a, b;
+  double weight_a = 1, weight_b = 1;  ///< the clip coordinate w at both ends
+  double from = 0, to = 1;            ///< the part of the edge
+
+  /// What part of the edge a part 0..1 of the segment on the screen stands for.
+  double on_edge(double on_screen) const;
+  Projected at(double on_screen) const;
+};
+
+/// The edge from a place to another, cut at the near plane; nothing when all of it lies before that.
+std::optional<ScreenSegment> project_segment(const ViewFrame& frame, const Vec3& a, const Vec3& b);
+
+/// Whether some part of a segment lies in a box; the part if so.
+std::optional<std::pair<double, double>> part_in_box(const Vec2& a, const Vec2& b, const PickBox& box);
+
+/// All vertices of a mesh as a view shows them.
+struct ScreenMesh {
+  std::vector<Projected> vertices;  ///< #V
+  std::vector<char> shown;          ///< #V, 0 before the near plane or behind the eye: then the place means nothing
+
+  ScreenMesh(const PolyMesh& mesh, const ViewFrame& frame);
+
+  /// Upright bounds of what is shown; nothing when nothing is.
+  std::optional<PickBox> bounds() const;
+};
+
+/// A face as a view shows it, cut at the near plane: empty, or at least three corners.
+void project_face(const PolyMesh& mesh, const ViewFrame& frame, const ScreenMesh& screen, Index face,
+                  std::vector<Projected>& polygon);
 
 /// Which face each cell of a grid over a part of the view shows: a small picture with faces for colours, drawn without
 /// any graphics system, so it is the same everywhere.

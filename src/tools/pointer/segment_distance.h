@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "croquis/geometry/drawing.h"
-#include "croquis/tools/pointer/pick_box.h"
+#include "croquis/tools/pointer/mesh_event.h"
 
 namespace croquis {
 

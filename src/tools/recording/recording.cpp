@@ -2,7 +2,6 @@
 #include "croquis/tools/recording/recording.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/vocabulary.h"

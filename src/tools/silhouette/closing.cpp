@@ -9,7 +9,7 @@
 
 #include "croquis/geometry/polyline.h"
 #include "croquis/geometry/predicates.h"
-#include "croquis/tools/silhouette/stroke_pick.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
 #include "tools/pointer/segment_distance.h"
 #include "tools/silhouette/stroke_places.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "croquis/tools/silhouette/stroke_closing.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
 
 namespace croquis {
 

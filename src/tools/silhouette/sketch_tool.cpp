@@ -6,15 +6,34 @@
 
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
-#include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/stroke_erasing.h"
 #include "croquis/tools/silhouette/stroke_setting.h"
 #include "croquis/tools/strokes/stroke_source.h"
-#include "tools/silhouette/sketch_labels.h"
-#include "tools/silhouette/stroke_ids.h"
+#include "tools/silhouette/redraw.h"
+
+/// How the sketch tool's undo steps are called.
 
 namespace croquis {
 namespace {
+
+std::string named(const std::string& id) { return id.starts_with("stroke ") ? id : "stroke " + id; }
+
+/// "Move stroke 3", "Move stroke outline", "Erase 2 strokes".
+std::string strokes_label(const std::string& verb, const std::vector<std::string>& ids) {
+  return verb + ' ' + (ids.size() == 1 ? named(ids.front()) : std::to_string(ids.size()) + " strokes");
+}
+
+/// "Drag a point of stroke 2".
+std::string point_label(const std::string& id) { return "Drag a point of " + named(id); }
+
+/// "Make stroke 2 a hole", "Bring stroke 1 in front of stroke 2", "Set thickness of stroke 1".
+std::string setting_label(const recorded::StrokeReading& setting) {
+  const std::string stroke = named(setting.stroke);
+  if (setting.in_front_of) return "Bring " + stroke + " in front of " + named(*setting.in_front_of);
+  if (setting.kind == silhouette::StrokeKind::Visible) return "Find what " + stroke + " is";
+  if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
+  return "Set thickness of " + stroke;
+}
 
 std::vector<std::string> modifier_names(const Modifiers& modifiers) {
   std::vector<std::string> names;
@@ -306,13 +325,7 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
 
 // ---- The document
 
-NodeId SketchTool::node() const {
-  if (source_of<Drawing>(session_.document().find(node_)) != nullptr) return node_;
-  for (const auto& node : session_.document().nodes()) {
-    if (source_of<Drawing>(node.get()) != nullptr) return node->id;
-  }
-  return 0;
-}
+NodeId SketchTool::node() const { return source_node<Drawing>(session_.document(), node_); }
 
 std::shared_ptr<const Drawing> SketchTool::drawing() const {
   return source_of<Drawing>(session_.document().find(node()));

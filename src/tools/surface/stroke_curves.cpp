@@ -22,7 +22,7 @@ constexpr double closing_share = 0.15;     // … where the stroke is much longe
 constexpr double corner_sharpness = 0.62;  // of a corner nearly all turning is within half the reach; of an arc half
 constexpr double least_line_pixels = 1.5;  // a line is never drawn straighter
 constexpr double steps_in_reach = 2.2;
-constexpr std::size_t loop_parts = 4;  // of a loop without corners
+constexpr std::size_t smooth_loop_parts = 4;  // of a loop without corners
 
 double row_length(std::span<const Vec3> points) {
   double length = 0;
@@ -57,7 +57,7 @@ std::vector<Vec3> evenly_spaced(std::span<const Vec3> points, double spacing) {
   return places;
 }
 
-/// Takes out the tremble of a hand; the ends stay.
+/// Takes out the noise of a pen; the ends stay.
 void steady(std::vector<Vec3>& places) {
   for (int pass = 0; pass < steadying_passes; ++pass) {
     for (const double step : {0.5, -0.52}) {  // forth and back, so that curves don't shrink (Taubin 1995)
@@ -119,7 +119,7 @@ bool is_line(std::span<const Vec3> places, const StrokeCurveOptions& options) {
 
 /// How far places are beside the stroke that was meant, one standard deviation: from third differences, which smooth
 /// curves hardly have, and their median, which corners don't change.
-double tremble_of(std::span<const Vec3> points) {
+double pen_noise(std::span<const Vec3> points) {
   constexpr double deviation_of_median = 1.4826;  // of normal noise
   const double growth = std::sqrt(20.0);          // 1 + 9 + 9 + 1: of noise in a third difference
   std::vector<double> sizes;
@@ -139,7 +139,7 @@ class StrokeRow {
  public:
   StrokeRow(std::span<const Vec3> points, const StrokeCurveOptions& options)
       : options_(options), places_(evenly_spaced(points, spacing_pixels * options.unit)) {
-    tremble_ = tremble_of(points);
+    noise_ = pen_noise(points);
     const double gap = (places_.back() - places_.front()).norm();
     const double length = row_length(points);
     closed_ = gap <= std::max(closing_pixels * options.unit, closing_miss * length) && gap <= closing_share * length;
@@ -153,7 +153,8 @@ class StrokeRow {
     std::vector<std::size_t> cuts = {0};
     const bool smooth = closed_ && corners_.empty();
     const std::size_t last = places_.size() - 1;
-    for (std::size_t part = 1; smooth && part < loop_parts; ++part) cuts.push_back(last * part / loop_parts);
+    for (std::size_t part = 1; smooth && part < smooth_loop_parts; ++part)
+      cuts.push_back(last * part / smooth_loop_parts);
     for (const std::size_t corner : corners_) {
       if (corner > 0 && corner < last) cuts.push_back(corner);
     }
@@ -199,7 +200,7 @@ class StrokeRow {
       return;
     }
     steady(part);
-    const double tolerance = std::max(options_.tolerance * options_.unit, options_.tremble_share * tremble_);
+    const double tolerance = std::max(options_.tolerance * options_.unit, options_.noise_share * noise_);
     const BezierFitOptions fit{tolerance, options_.most_degree, true, smooth_direction(from, places_),
                                smooth_direction(to, places_)};
     for (const FittedBezier& fitted : fit_beziers(part, fit)) curves.push_back(fitted.control);
@@ -207,7 +208,7 @@ class StrokeRow {
 
   StrokeCurveOptions options_;
   std::vector<Vec3> places_;
-  double tremble_ = 0;
+  double noise_ = 0;
   bool closed_ = false;
   std::vector<std::size_t> corners_;
 };
@@ -215,7 +216,7 @@ class StrokeRow {
 }  // namespace
 
 std::vector<std::vector<Vec3>> curves_of_stroke(std::span<const Vec3> points, const StrokeCurveOptions& options) {
-  // A slow hand leaves many places close together, whose tremble would count as length and as turns.
+  // A slow hand leaves many places close together, whose noise would count as length and as turns.
   std::vector<Vec3> different;
   for (const Vec3& point : points) {
     if (different.empty() || (point - different.back()).norm() >= least_step_pixels * options.unit)

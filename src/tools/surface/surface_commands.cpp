@@ -34,26 +34,13 @@ Document add_network(const Document& document, AttributeNetwork network, const S
 
 // ---- The document
 
-NodeId SurfaceTool::node() const {
-  if (source_of<AttributeNetwork>(session_.document().find(node_)) != nullptr) return node_;
-  for (const auto& node : session_.document().nodes()) {
-    if (source_of<AttributeNetwork>(node.get()) != nullptr) return node->id;
-  }
-  return 0;
-}
+NodeId SurfaceTool::node() const { return source_node<AttributeNetwork>(session_.document(), node_); }
 
 std::shared_ptr<const AttributeNetwork> SurfaceTool::network() const {
   return source_of<AttributeNetwork>(session_.document().find(node()));
 }
 
-NodeId SurfaceTool::operation_node() const {
-  const NodeId own = node();
-  for (const auto& node : session_.document().nodes()) {
-    const auto input = node->inputs.find(options_.port);
-    if (own != 0 && input != node->inputs.end() && input->second.node == own) return node->id;
-  }
-  return 0;
-}
+NodeId SurfaceTool::operation_node() const { return operation_on(session_.document(), node(), options_.port); }
 
 AttributeNetwork SurfaceTool::network_or_empty() const {
   const auto now = network();

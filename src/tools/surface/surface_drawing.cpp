@@ -15,7 +15,7 @@ constexpr double most_samples = 0.6;      // share of a stroke's samples that mu
 constexpr double curve_snap_share = 0.7;  // × the reach of nodes: curves are everywhere, and nodes come first
 constexpr double on_ground = 1e-6;        // × the network's size: so near to the ground is on it
 
-/// 1 for a plane seen straight on, less the flatter it is seen: there a hand that trembles by a pixel goes far.
+/// 1 for a plane seen straight on, less the flatter it is seen: there a pen that is a pixel off goes far.
 double slant_of(const SpacePlane& plane, const ViewFrame& frame, const Vec3& place) {
   constexpr double flattest = 0.25;
   return std::max(flattest, std::abs(frame.to_eye(place).dot(plane.normal.normalized())));

@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/tools/measure/measure_tool.h"
-#include "croquis/tools/measure/measurement.h"
 
 namespace croquis::test {
 namespace {

@@ -151,7 +151,7 @@ TEST_CASE("all, none and the rest of a selection") {
   desk.tool.selection().select_none();
   CHECK(desk.selected().empty());
   desk.tool.selection().pick(ComponentKind::Edge, {1, 4});
-  desk.tool.selection().invert_selection();
+  desk.tool.selection().reselect(Reselect::Invert);
   CHECK(desk.selected().size() == 10);
   desk.tool.replay(all);
   CHECK(desk.selected().size() == 12);
@@ -416,7 +416,7 @@ TEST_CASE("tags are set by selection, angle and rim; sets too; each is one step"
   note(desk.tool.tags().pin(true));
   CHECK(desk.mesh().tags.pins.size() == 3);
   note(desk.tool.tags().remove_set("collar", true));
-  note(desk.tool.selection().select_tagged());
+  note(desk.tool.selection().reselect(Reselect::Tagged));
   CHECK(desk.selected().size() == 16);
   CHECK_THROWS_AS(desk.tool.tags().select_set("collar"), Error);
   CHECK(desk.session.undo_labels().size() == 8);
@@ -437,7 +437,7 @@ TEST_CASE("the journey of the collar: loop by double click, sharp for ever") {
   CHECK(desk.mesh().tags.creases.size() == 12);
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Sharpen 12 edges"});
   desk.tool.selection().pick(ComponentKind::Edge, {edge});
-  desk.tool.selection().select_chain();
+  desk.tool.selection().reselect(Reselect::Chain);
   CHECK(desk.selected().size() == 12);
   desk.tool.tags().untag();
   CHECK(desk.mesh().tags.empty());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/sheet_units.h"
 #include "support/perspective/solid_drawing.h"
 #include "support/random.h"
 

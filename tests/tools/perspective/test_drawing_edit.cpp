@@ -5,7 +5,6 @@
 
 #include "croquis/base/error.h"
 #include "croquis/tools/perspective/drawing_edit.h"
-#include "croquis/tools/perspective/drawing_pick.h"
 #include "tools/perspective/perspective_ink.h"
 
 namespace croquis {

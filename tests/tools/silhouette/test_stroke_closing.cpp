@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/tools/silhouette/stroke_closing.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
 #include "tools/strokes/drawn_strokes.h"
 
 namespace croquis {

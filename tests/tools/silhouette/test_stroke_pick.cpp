@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/tools/silhouette/stroke_pick.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
 #include "tools/strokes/drawn_strokes.h"
 
 namespace croquis {

@@ -10,8 +10,7 @@
 #include "croquis/tools/holes/hole_pins.h"
 #include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/pointer/mesh_event.h"
-#include "croquis/tools/pointer/pick_box.h"
-#include "croquis/tools/pointer/verdict.h"
+#include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/recording/step.h"
 
 namespace croquis {

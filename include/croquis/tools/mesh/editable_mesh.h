@@ -2,18 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "croquis/base/finding.h"
 #include "croquis/edits/edit_line.h"
 #include "croquis/session/session.h"
 #include "croquis/tools/mesh/mesh_pick.h"
+#include "croquis/tools/recording/step.h"
 #include "croquis/workspace/workspace.h"
 
 namespace croquis {
+
+/// What the parts of a mesh tool tell each other about commands.
+struct CommandLog {
+  std::function<void()> begin;         ///< called before each command: a gesture under way is given up
+  std::optional<recorded::Step> done;  ///< what the last Commit did
+  Findings notes;                      ///< what the last edit lost or refused (warnings)
+};
 
 /// A mesh with its neighbourhoods and its picking tree.
 struct PreparedMesh {

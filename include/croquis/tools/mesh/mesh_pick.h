@@ -7,7 +7,7 @@
 
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/session/selection.h"
-#include "croquis/tools/pointer/pick_box.h"
+#include "croquis/tools/pointer/mesh_event.h"
 #include "croquis/tools/pointer/view_frame.h"
 
 namespace croquis {

@@ -9,10 +9,9 @@
 #include <string>
 
 #include "croquis/mesh_editing/mesh_selection.h"
-#include "croquis/tools/mesh/command_log.h"
 #include "croquis/tools/mesh/editable_mesh.h"
 #include "croquis/tools/mesh/mesh_steps.h"
-#include "croquis/tools/pointer/verdict.h"
+#include "croquis/tools/pointer/pointer_event.h"
 
 namespace croquis {
 
@@ -22,6 +21,13 @@ enum class MeshMode { Object, Vertex, Edge, Face };
 /// What becomes of the selection. Loop, Ring, Connected and Chain start at each element; Path joins the first to the
 /// last; All needs none.
 enum class PickHow { Replace, Add, Remove, Toggle, Loop, Ring, Path, Connected, Chain, All };
+
+/// By its name in recordings: "replace", "loop" …; Replace for any other.
+PickHow pick_how(const std::string& name);
+
+/// What the selection becomes by a command. Loop and Ring are of all selected edges, Chain are whole chains of tagged
+/// edges, Between is the shortest path between two selected vertices or edges.
+enum class Reselect { Invert, Grow, Shrink, Loop, Ring, Connected, Chain, Boundary, Tagged, Between };
 
 /// The mode in which elements of a kind are picked.
 MeshMode mode_of(ComponentKind kind);
@@ -56,16 +62,7 @@ class MeshSelector {
   Verdict choose(ComponentKind kind, Elements elements, std::optional<recorded::Step> step = std::nullopt);
   Verdict select_all();
   Verdict select_none();
-  Verdict invert_selection();
-  Verdict grow_selection();
-  Verdict shrink_selection();
-  Verdict select_loop();  ///< of all selected edges
-  Verdict select_ring();
-  Verdict select_connected();
-  Verdict select_chain();  ///< whole chains of tagged edges
-  Verdict select_boundary();
-  Verdict select_tagged();
-  Verdict select_between();  ///< the shortest path between two selected vertices or edges
+  Verdict reselect(Reselect how);
   Verdict select_sharper_than(double degrees);
 
   // ---- Parts of a mesh that has been prepared

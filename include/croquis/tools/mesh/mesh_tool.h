@@ -10,7 +10,6 @@
 #include "croquis/tools/mesh/mesh_editor.h"
 #include "croquis/tools/mesh/mesh_pick.h"
 #include "croquis/tools/mesh/mesh_selector.h"
-#include "croquis/tools/mesh/tag_editor.h"
 #include "croquis/tools/pointer/manipulator.h"
 #include "croquis/tools/pointer/mesh_event.h"
 #include "croquis/tools/pointer/pen.h"
@@ -82,7 +81,6 @@ class MeshTool {
   MeshHandles handles() const { return handles_; }
   void set_handles(MeshHandles handles);
   void set_pick_through(bool through) { options_.pick.through = through; }
-  void set_snap(const ManipulatorSnap& snap) { options_.snap = snap; }
 
   Verdict handle(const MeshEvent& event);
   /// After a Begin in Object mode it isn't: the gesture is the window's, to pick and move objects with.

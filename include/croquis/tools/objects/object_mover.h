@@ -6,8 +6,8 @@
 
 #include "croquis/tools/pointer/manipulator.h"
 #include "croquis/tools/pointer/mesh_event.h"
+#include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/pointer/session_drag.h"
-#include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/workspace/workspace.h"
 

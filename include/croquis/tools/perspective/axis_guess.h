@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/perspective/stroke_shape.h"
 
 /// Which group a stroke was meant for, by where it points.

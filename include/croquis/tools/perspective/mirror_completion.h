@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/sheet_units.h"
 
 /// Completing what can't be seen: the strokes of one half of a symmetric solid give those of the other half.
 namespace croquis {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis {
 

@@ -10,11 +10,10 @@
 #include "croquis/geometry/affine3.h"
 #include "croquis/session/session.h"
 #include "croquis/tools/perspective/drawing_edit.h"
-#include "croquis/tools/perspective/drawing_pick.h"
 #include "croquis/tools/perspective/mirror_completion.h"
-#include "croquis/tools/perspective/solved_drawing.h"
+#include "croquis/tools/perspective/sheet_units.h"
+#include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/pointer/session_drag.h"
-#include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/strokes/sketch_event.h"
 

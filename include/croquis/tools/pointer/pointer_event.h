@@ -7,6 +7,13 @@
 
 namespace croquis {
 
+/// What an event or a command led to.
+enum class Verdict {
+  Continue,  ///< go on: only the preview may have changed
+  Commit,    ///< something was done: see the tool's done()
+  Revert     ///< what had begun was given up
+};
+
 /// Keys that change what a button does. `super` is also set while the Alt-free twin key is held (see Navigation).
 struct Modifiers {
   bool shift = false;

@@ -10,12 +10,11 @@
 
 #include "croquis/document/document.h"
 #include "croquis/session/session.h"
+#include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/pointer/session_drag.h"
-#include "croquis/tools/pointer/verdict.h"
 #include "croquis/tools/recording/step.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
-#include "croquis/tools/silhouette/stroke_pick.h"
 #include "croquis/tools/strokes/sketch_event.h"
 
 namespace croquis {

@@ -2,16 +2,69 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "croquis/tools/silhouette/stroke_closing.h"
+#include "croquis/geometry/drawing.h"
+#include "croquis/tools/pointer/mesh_event.h"
 #include "croquis/tools/strokes/stroke_fit.h"
 
-/// Every change that the tools make to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
-/// name keep equal values, in the same order.
 namespace croquis {
+
+// What lies under the pointer on the sketch plane.
+
+/// How far a pointer may miss.
+struct PickReach {
+  double pixels = 8;           ///< >= 0
+  double units_per_pixel = 1;  ///< of the view, > 0
+
+  double units() const { return pixels * units_per_pixel; }
+};
+
+struct PickedStroke {
+  std::string id;
+  std::size_t segment = 0;    ///< 0-based: from this sample to the next (of a closed stroke's last, to the first)
+  double parameter = 0;       ///< 0..1 on the segment
+  Vec2 place = Vec2::Zero();  ///< nearest place on the stroke, sketch units
+  double distance = 0;        ///< sketch units
+};
+
+/// The place of one stroke nearest to a place, within reach; of equally near ones the first. Linear.
+std::optional<PickedStroke> nearest_place(const Stroke& stroke, const Vec2& place, const PickReach& reach = {});
+
+/// The stroke nearest to a place, within reach; of equally near ones the one drawn last, which lies on top.
+/// Linear in the drawing's samples.
+std::optional<PickedStroke> nearest_stroke(const Drawing& drawing, const Vec2& place, const PickReach& reach = {});
+
+/// The anchor (0-based) nearest to a place, within reach. Linear.
+std::optional<std::size_t> nearest_anchor(std::span<const StrokeAnchor> anchors, const Vec2& place,
+                                          const PickReach& reach = {});
+
+/// Ids of the strokes of which some piece lies in the box, in the drawing's order. Linear.
+std::vector<std::string> strokes_in_box(const Drawing& drawing, const PickBox& box);
+
+// Which strokes were meant to be loops.
+
+struct CloseOptions {
+  double units_per_pixel = 1;
+  double distance = 12;     ///< pixels: ends nearer than this close the stroke …
+  double times_longer = 4;  ///< … unless it is shorter than this times the distance: a tick is no loop
+  /// Of the stroke's length: how far its end may stop short of its beginning, or run past it. A little more than the
+  /// five percent that hands miss: the length is that of what was drawn.
+  double share = 0.055;
+  double aside_share = 0.035;  ///< of its length: how far aside it may do so
+  double least_length = 16;    ///< pixels: shorter strokes stay open
+};
+
+/// Whether a drawn stroke was meant to be a loop: its ends are near each other, or its end heads for its beginning and
+/// would go on into it, or runs past it, beside it and the same way, or both ends head for one corner.
+bool ends_meet(std::span<const StrokeSample> samples, const CloseOptions& options = {});
+
+// Every change that the tools make to a drawing: pure functions from a drawing to a drawing. Strokes that they don't
+// name keep equal values, in the same order.
 
 /// A drawing after an edit, and what happened to whom (stroke ids).
 struct DrawingEdit {

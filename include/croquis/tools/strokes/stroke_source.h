@@ -27,6 +27,24 @@ Document with_stroke_source(const Document& document, Value drawing, const Optio
   return document.with(std::move(source)).with(std::move(operation));
 }
 
+/// The node that holds a drawing of that type: the one set, else the document's first; 0 for none.
+template <class Drawing>
+NodeId source_node(const Document& document, NodeId set) {
+  if (source_of<Drawing>(document.find(set)) != nullptr) return set;
+  const auto found = std::ranges::find_if(document.nodes(),
+                                          [](const auto& node) { return source_of<Drawing>(node.get()) != nullptr; });
+  return found == document.nodes().end() ? 0 : (*found)->id;
+}
+
+/// The first operation that takes a source by this port; 0 for none.
+inline NodeId operation_on(const Document& document, NodeId source, const std::string& port) {
+  for (const auto& node : document.nodes()) {
+    const auto input = node->inputs.find(port);
+    if (source != 0 && input != node->inputs.end() && input->second.node == source) return node->id;
+  }
+  return 0;
+}
+
 /// Ids of those strokes of a node that are selected, in the drawing's order.
 template <class Stroke>
 std::vector<std::string> selected_ids(const Session& session, NodeId node, const std::vector<Stroke>& strokes) {

@@ -3,23 +3,40 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
 #include <QMenu>
+#include <QMetaObject>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <cmath>
+#include <span>
 #include <utility>
 
-#include "app/files/picture_reader.h"
-#include "app/replay/replay_lookup.h"
-#include "app/tools/backdrop/backdrop_panel.h"
+#include "app/files/file_reader.h"
+#include "app/replay/replays.h"
 #include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
 #include "app/window/theme.h"
-#include "croquis/tools/backdrop/backdrop_area.h"
 #include "croquis/tools/backdrop/backdrop_steps.h"
 
 namespace croquis::app {
 namespace {
+
+render::PictureItemPtr made_of(const PictureFile& picture) {
+  const QImage image = decoded(picture, render::max_picture_item_side);
+  if (image.isNull()) return nullptr;
+  // RGBA8888 has 4 bytes a pixel, so its rows have no padding.
+  return render::make_picture_item(std::span(image.constBits(), static_cast<std::size_t>(image.sizeInBytes())),
+                                   image.width(), image.height());
+}
+
+constexpr double percent = 0.01;
 
 constexpr float corner_size = 9;  // logical pixels
 
@@ -50,7 +67,26 @@ void add_frame(const Backdrop& backdrop, render::Scene& scene) {
 
 }  // namespace
 
-BackdropTool::BackdropTool(ToolHost& host) : Tool(host), editor_(host.studio().session()) {
+render::PictureItemPtr PictureItems::item(const std::shared_ptr<const PictureFile>& picture) {
+  std::erase_if(items_, [](const auto& entry) { return entry.first.expired(); });
+  const auto [place, is_new] = items_.try_emplace(picture);
+  if (!is_new) return place->second;
+  ++making_;
+  thread_.start([this, picture] {
+    render::PictureItemPtr item = made_of(*picture);
+    QMetaObject::invokeMethod(
+        this,
+        [this, picture, item] {
+          --making_;
+          items_[picture] = item;
+          emit ready();
+        },
+        Qt::QueuedConnection);
+  });
+  return nullptr;
+}
+
+BackdropTool::BackdropTool(ToolHost& host) : Tool(host, "Pictures to trace"), editor_(host.studio().session()) {
   connect(&items_, &PictureItems::ready, this, &Tool::changed);
 }
 
@@ -76,25 +112,73 @@ void BackdropTool::make_actions(ActionList& actions) {
 }
 
 void BackdropTool::make_panels(PanelDocks& docks) {
-  panel_ = new BackdropPanel([this](const QString& name) { return host().action(name); });
+  panel_ = make_panel();
   dock_ = docks.add(tr("Picture"), panel_, "picture");
   docks.tabify("history", dock_);
   docks.set_useful(dock_, false);
   docks_ = &docks;
-  connect(panel_, &BackdropPanel::opacity_moved, this, [this](double opacity) {
+}
+
+/// The picture by numbers. It follows while there is one.
+Panel* BackdropTool::make_panel() {
+  auto* panel = new Panel("backdrop-panel");
+  QLabel* name = panel->label({});
+  name->setObjectName("backdrop-name");
+  panel->column()->addWidget(name);
+  panel->also([this, name] {
+    const PictureFile& picture = *editor_.backdrop()->picture;
+    name->setText(tr("%1, %2 × %3")
+                      .arg(QFileInfo(QString::fromStdString(picture.file)).fileName())
+                      .arg(picture.width)
+                      .arg(picture.height));
+  });
+  add_opacity(*panel);
+  const auto place = [this](auto edit) {
+    return
+        [this, edit](double value) { change(tr("Place picture"), [&](Backdrop& backdrop) { edit(backdrop, value); }); };
+  };
+  auto* grid = new QGridLayout;
+  grid->addWidget(panel->label(tr("Middle x, y")), 0, 0);
+  for (const int axis : {0, 1}) {
+    grid->addWidget(panel->number(
+                        QString("backdrop-") + QChar('x' + axis), {-1e7, 1e7, 2},
+                        [this, axis] { return Panel::Number{editor_.backdrop()->centre[axis]}; },
+                        place([axis](Backdrop& backdrop, double value) { backdrop.centre[axis] = value; })),
+                    0, 1 + axis);
+  }
+  grid->addWidget(panel->label(tr("Scale")), 1, 0);
+  QDoubleSpinBox* scale = panel->number(
+      "backdrop-scale", {1e-3, 1e5, 3}, [this] { return Panel::Number{editor_.backdrop()->scale / percent}; },
+      place([](Backdrop& backdrop, double value) { backdrop.scale = value * percent; }),
+      tr("At 100 % a pixel of the picture is one unit of the drawing"));
+  scale->setSuffix(QStringLiteral(" %"));
+  grid->addWidget(scale, 1, 1, 1, 2);
+  panel->column()->addLayout(grid);
+  panel->buttons({"show-picture", "fit-picture", "move-picture", "open-picture", "remove-picture"}, 3,
+                 Qt::ToolButtonTextOnly, [this](const QString& action) { return host().action(action); });
+  panel->column()->addStretch();
+  return panel;
+}
+
+/// While the slider is held down it is one change.
+void BackdropTool::add_opacity(Panel& panel) {
+  auto* opacity = new QSlider(Qt::Horizontal, &panel);
+  opacity->setObjectName("backdrop-opacity");
+  opacity->setRange(0, 100);
+  opacity->setToolTip(tr("How strongly the picture is seen behind the drawing"));
+  const auto leave = [this] { do_and_record(editor_.finish()); };
+  connect(opacity, &QSlider::valueChanged, this, [this, opacity, leave, &panel](int value) {
     const auto now = editor_.backdrop();
-    if (!now) return;
+    if (panel.following() || !now) return;
     Backdrop edited = *now;
-    edited.opacity = opacity;
+    edited.opacity = value * percent;
     editor_.change("Opacity of the picture", edited);
+    if (!opacity->isSliderDown()) leave();
   });
-  connect(panel_, &BackdropPanel::opacity_left, this, [this] { do_and_record(editor_.finish()); });
-  connect(panel_, &BackdropPanel::place_wanted, this, [this](const Vec2& centre, double scale) {
-    change(tr("Place picture"), [&](Backdrop& backdrop) {
-      backdrop.centre = centre;
-      backdrop.scale = scale;
-    });
-  });
+  connect(opacity, &QSlider::sliderReleased, this, leave);
+  panel.also(
+      [this, opacity] { opacity->setValue(static_cast<int>(std::lround(editor_.backdrop()->opacity / percent))); });
+  panel.row({panel.label(tr("Opacity")), opacity});
 }
 
 void BackdropTool::change(const QString& label, const std::function<void(Backdrop&)>& edit) {
@@ -124,7 +208,8 @@ void BackdropTool::refresh() {
   host().action("show-picture")->setChecked(backdrop != nullptr && backdrop->visible);
   host().action("move-picture")->setChecked(moves());
   docks_->set_useful(dock_, backdrop != nullptr);
-  panel_->follow(backdrop.get());
+  panel_->setEnabled(backdrop != nullptr);
+  if (backdrop) panel_->follow();
 }
 
 void BackdropTool::set_mode(const QString& mode) {
@@ -183,7 +268,8 @@ render::Bounds BackdropTool::bounds_in(int view) const {
   return bounds;
 }
 
-void BackdropTool::follow_document() {
+void BackdropTool::follow(Change change) {
+  if (change != Change::Document) return;
   editor_.set_node(studio().shown_drawing());
   const auto backdrop = editor_.backdrop();
   const auto picture = backdrop ? backdrop->picture : nullptr;
@@ -194,30 +280,24 @@ void BackdropTool::follow_document() {
   if (mode() == "move-picture" && !picture) host().set_mode(first_mode);
 }
 
-std::vector<const recorded::StepKind*> BackdropTool::steps() const { return recorded::backdrop_steps().kinds(); }
-
-bool BackdropTool::replay(const recorded::Step& step) {
-  const auto now = editor_.backdrop();
-  if (!now) refuse_replay("There is no picture behind the drawing");
-  if (const auto* setting = step.as<recorded::BackdropSetting>()) {
-    editor_.set("Place picture", {now->picture, setting->centre, setting->scale, setting->opacity, setting->visible});
-  } else if (step.as<recorded::BackdropRemoval>() != nullptr) {
-    editor_.remove();
-  } else {
-    return false;
-  }
-  return true;
-}
-
-Expectations BackdropTool::expectations() {
-  Expectations own;
-  own.counts["backdrops"] = [this](const std::string&) -> std::size_t { return editor_.backdrop() ? 1 : 0; };
-  own.ranges["backdrop-scale"] = [this](const std::string&) {
+void BackdropTool::make_replays(Replays& replays) {
+  const auto picture = [this] {
     const auto now = editor_.backdrop();
     if (!now) refuse_replay("There is no picture behind the drawing");
-    return std::pair(now->scale, now->scale);
+    return now;
   };
-  return own;
+  replays.on<recorded::BackdropSetting>([this, picture](const recorded::BackdropSetting& step) {
+    editor_.set("Place picture", {picture()->picture, step.centre, step.scale, step.opacity, step.visible});
+  });
+  replays.on<recorded::BackdropRemoval>([this, picture](const auto&) {
+    picture();
+    editor_.remove();
+  });
+  replays.counts["backdrops"] = [this](const std::string&) -> std::size_t { return editor_.backdrop() ? 1 : 0; };
+  replays.ranges["backdrop-scale"] = [picture](const std::string&) {
+    const double scale = picture()->scale;
+    return std::pair(scale, scale);
+  };
 }
 
 }  // namespace croquis::app

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/tools/backdrop/picture_items.h"
+#include <QObject>
+#include <QThreadPool>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "app/panels/panel.h"
 #include "app/tools/tool.h"
+#include "croquis/geometry/picture_file.h"
+#include "croquis/render/picture_item.h"
 #include "croquis/tools/backdrop/backdrop_editor.h"
 #include "croquis/tools/pointer/pen.h"
 
@@ -10,7 +18,29 @@ class QDockWidget;
 
 namespace croquis::app {
 
-class BackdropPanel;
+/// Pictures made ready for the renderer, beside the window's thread, for as long as somebody holds them.
+class PictureItems : public QObject {
+  Q_OBJECT
+
+ public:
+  PictureItems() { thread_.setMaxThreadCount(1); }
+  ~PictureItems() override { thread_.waitForDone(); }
+
+  /// Null while it is being made, and for a picture that can't be read.
+  render::PictureItemPtr item(const std::shared_ptr<const PictureFile>& picture);
+
+  bool busy() const { return making_ > 0; }
+
+ signals:
+  void ready();
+
+ private:
+  using Key = std::weak_ptr<const PictureFile>;
+
+  std::map<Key, render::PictureItemPtr, std::owner_less<>> items_;
+  int making_ = 0;
+  QThreadPool thread_;
+};
 
 /// The picture behind the drawing that the sketch view shows: a photo or a scan to trace.
 class BackdropTool final : public Tool {
@@ -30,19 +60,15 @@ class BackdropTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return pen_.down(); }
   bool abandon() override;
-  QString help_topic() const override { return QStringLiteral("Pictures to trace"); }
   QString help() const override;
-  Qt::CursorShape cursor(int) const override { return Qt::SizeAllCursor; }
 
   void add_to(render::Scene& scene, int view) override;
   render::Bounds bounds_in(int view) const override;
+  ViewUse use_of(int) const override { return {Qt::SizeAllCursor}; }
   bool busy() const override { return items_.busy(); }
 
-  void follow_document() override;
-
-  std::vector<const recorded::StepKind*> steps() const override;
-  bool replay(const recorded::Step& step) override;
-  Expectations expectations() override;
+  void follow(Change change) override;
+  void make_replays(Replays& replays) override;
 
  private:
   bool moves() const { return mode() == "move-picture" && editor_.backdrop() != nullptr; }
@@ -50,11 +76,13 @@ class BackdropTool final : public Tool {
   void add_behind_solid(render::Scene& scene);
   void change(const QString& label, const std::function<void(Backdrop&)>& edit);
   void ask_picture();
+  Panel* make_panel();
+  void add_opacity(Panel& panel);
 
   BackdropEditor editor_;
   PictureItems items_;
   PenInput pen_;
-  BackdropPanel* panel_ = nullptr;
+  Panel* panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
   std::weak_ptr<const PictureFile> shown_;  ///< that was there last

@@ -8,16 +8,20 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/panels/finding_elements.h"
-#include "app/studio/own_space.h"
-#include "app/tools/holes/filling.h"
+#include "app/replay/replays.h"
 #include "app/tools/holes/hole_panel.h"
+#include "app/tools/holes/hole_plan.h"
 #include "app/tools/holes/hole_table.h"
+#include "app/views/own_space.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
+#include "croquis/render/value_color.h"
+#include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
@@ -34,15 +38,44 @@ std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& ob
 
 constexpr int wanted_width = 480;  // of the panel, pixels
 
+/// Those that are open or failed.
+std::size_t count_open_holes(const WorkObject& object) {
+  const auto rows = hole_rows(object.result.get());
+  return static_cast<std::size_t>(
+      std::ranges::count_if(rows, [](const HoleRow& row) { return row.state != HoleState::Filled; }));
+}
+
+std::size_t count_patches(const WorkObject& object) {
+  std::set<Index> numbers;
+  for (const HoleRow& row : hole_rows(object.result.get())) {
+    if (row.patch && row.state == HoleState::Filled) numbers.insert(*row.patch);
+  }
+  return numbers.size();
+}
+
+/// The colours of patches with their confidence. As scales stand: much above.
+Legend* make_confidence_legend(QWidget* views) {
+  std::vector<Legend::Row> rows;
+  for (const render::ValueSample& sample : render::value_legend()) {
+    const QColor color(sample.color.r, sample.color.g, sample.color.b);
+    rows.push_back({QString::fromStdString(sample.label), [color](QPainter& painter, int y) {
+                      painter.fillRect(QRect(10, y, 22, Legend::row_height), color);
+                    }});
+  }
+  std::ranges::reverse(rows);
+  return new Legend(views, "confidence-legend", HoleFillingTool::tr("Confidence"),
+                    HoleFillingTool::tr("Colours of patches by confidence"), std::move(rows));
+}
+
 }  // namespace
 
 HoleFillingTool::HoleFillingTool(ToolHost& host)
-    : Tool(host),
+    : Tool(host, "Meshes"),
       holes_(
           host.studio(), host.viewport().objects(),
           [this](int view) { return this->host().viewport().own_frame_of(view); }, nullptr),
       pins_(&host.viewport()),
-      legend_(new ConfidenceLegend(&host.viewport())) {
+      legend_(make_confidence_legend(&host.viewport())) {
   host.studio().face_sets().set_holes(holes_of_patches);
   connect(&holes_, &HoleInteraction::changed, this, &Tool::changed);
   connect(&holes_, &HoleInteraction::committed, this, &Tool::committed);
@@ -89,7 +122,7 @@ void HoleFillingTool::make_actions(ActionList& actions) {
                                   {"flat", tr("Method: fla&t")}}) {
     add(
         actions, menu, QString("way-") + way, text, {},
-        [name = std::string(way)](HoleInteraction& holes) { holes.set_fairness(name); }, true);
+        [name = std::string(way)](HoleInteraction& holes) { holes.set_way({.fairness = name}); }, true);
   }
   menu->addSeparator();
   menu->addAction(actions.find("freeze"));
@@ -106,14 +139,8 @@ void HoleFillingTool::make_actions(ActionList& actions) {
 
 void HoleFillingTool::make_panels(PanelDocks& panels) {
   panels_ = &panels;
-  panel_ = new HolePanel(
-      studio(), holes_, [this](const QString& name) { return host().action(name); }, nullptr);
-  // A small window scrolls it.
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel_);
+  panel_ = new HolePanel(studio(), holes_, [this](const QString& name) { return host().action(name); });
+  QScrollArea* scroll = scrolled(panel_);
   scroll->setMinimumWidth(panel_->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   dock_ = panels.add(tr("Holes"), scroll, "holes");
   panels.tabify("attributes", dock_);
@@ -149,30 +176,30 @@ QString HoleFillingTool::offer(const WorkObject&) const {
   return tr("O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
 }
 
-bool HoleFillingTool::select_all() {
-  if (holes_.active()) holes_.select_all();
-  return holes_.active();
-}
-
-bool HoleFillingTool::select_none() {
+bool HoleFillingTool::command(EditCommand command) {
+  if (command == EditCommand::Cancel) holes_.cancel();
   if (!holes_.active()) return false;
-  Selection selection = studio().session().selection();
-  std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
-  studio().session().select(std::move(selection));
-  holes_.select({});
+  switch (command) {
+    case EditCommand::SelectAll: holes_.select_all(); break;
+    case EditCommand::SelectNone: {
+      Selection selection = studio().session().selection();
+      std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
+      studio().session().select(std::move(selection));
+      holes_.select({});
+      break;
+    }
+    case EditCommand::Delete:
+      host().record(recorded::Action{"delete"});
+      holes_.reopen_selected();
+      break;
+    case EditCommand::Accept: host().action("fill-selected")->trigger(); break;
+    case EditCommand::Cancel: break;
+  }
   return true;
 }
 
-bool HoleFillingTool::delete_selection() {
-  if (!holes_.active()) return false;
-  host().record(recorded::Action{"delete"});
-  holes_.reopen_selected();
-  return true;
-}
-
-bool HoleFillingTool::accept() {
-  if (holes_.active()) host().action("fill-selected")->trigger();
-  return holes_.active();
+void HoleFillingTool::follow(Change change) {
+  if (change == Change::Document || change == Change::Result) holes_.follow();
 }
 
 void HoleFillingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
@@ -285,6 +312,25 @@ void HoleFillingTool::follow_dock(bool working) {
   if (appears) dock_->raise();
   if (appears) panels_->give_room_once(dock_, wanted_width);
   panel_->follow();
+}
+
+// Recorded steps of work on holes, and what replays can expect of them.
+
+void HoleFillingTool::make_replays(Replays& replays) {
+  const auto play = [this](const auto& step) {
+    if (!step.node.empty()) studio().set_active(object_named(studio(), step.node).node);
+    if (!holes_.active()) refuse_replay("No holes are being worked on: the action \"holes\" opens them");
+    host().wait_until_settled();  // their numbers are known once they have been found
+    holes_.replay(step);
+  };
+  replays.on<recorded::HoleChoice>(play);
+  replays.on<recorded::HoleWay>(play);
+  replays.on<recorded::HolePoint>(play);
+  replays.counts["holes"] = [this](const std::string& node) { return count_open_holes(object_named(studio(), node)); };
+  replays.counts["patches"] = [this](const std::string& node) { return count_patches(object_named(studio(), node)); };
+  replays.counts["selected"] = [this](const std::string&) {
+    return holes_.active() ? holes_.selected().size() : studio().session().components().elements.size();
+  };
 }
 
 }  // namespace croquis::app

@@ -3,10 +3,10 @@
 
 #include <QList>
 
-#include "app/tools/holes/confidence_legend.h"
 #include "app/tools/holes/hole_interaction.h"
-#include "app/tools/holes/hole_pin_view.h"
+#include "app/tools/holes/hole_overlay.h"
 #include "app/tools/tool.h"
+#include "app/views/legend.h"
 
 class QAction;
 class QDockWidget;
@@ -34,16 +34,11 @@ class HoleFillingTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return holes_.down(); }
   bool abandon() override { return holes_.abandon(); }
-  QString help_topic() const override { return QStringLiteral("Meshes"); }
   QString help() const override { return holes_.help(); }
   QString offer(const WorkObject& object) const override;
 
-  bool select_all() override;
-  bool select_none() override;
-  bool delete_selection() override;
+  bool command(EditCommand command) override;
   bool has_selection() const override { return holes_.active() && !holes_.selected().empty(); }
-  bool accept() override;
-  void cancel() override { holes_.cancel(); }
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
   void add_to(render::Scene& scene, int view) override { holes_.add_to(scene, view); }
@@ -51,8 +46,7 @@ class HoleFillingTool final : public Tool {
   void place_chips(ChipPlaces& places) override;
   bool busy() const override { return holes_.busy(); }
 
-  void follow_document() override { holes_.follow(); }
-  void follow_result() override { holes_.follow(); }
+  void follow(Change change) override;
   void chosen_by_name(const std::vector<const FaceSet*>& sets) override;
   bool show_finding(const NodeFinding& found) override;
   bool open_step(const Node& step) override;
@@ -60,13 +54,9 @@ class HoleFillingTool final : public Tool {
   std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
   bool choose_parts(NodeId node, const std::vector<std::string>& parts) override;
 
-  std::vector<const recorded::StepKind*> steps() const override;
-  bool replay(const recorded::Step& step) override;
-  Expectations expectations() override;
+  void make_replays(Replays& replays) override;
 
  private:
-  template <class HoleStep>
-  void replay_on_holes(const HoleStep& step);
   QAction* add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work,
                bool records_itself = false);
@@ -77,7 +67,7 @@ class HoleFillingTool final : public Tool {
 
   HoleInteraction holes_;
   HolePinView pins_;
-  ConfidenceLegend* legend_;
+  Legend* legend_;
   QList<QAction*> actions_;  ///< that need holes to work on
   HolePanel* panel_ = nullptr;
   PanelDocks* panels_ = nullptr;

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/holes/hole_interaction.h"
 
+#include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
-#include "app/studio/own_space.h"
-#include "app/tools/holes/filling.h"
-#include "app/views/pick_box.h"
+#include "app/views/own_space.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
 namespace {
+
+/// What lies so little before a hole's middle is its own rim, seen from the side. Share of the distance to the eye.
+constexpr double slack = 0.01;
+
+bool is_seen(MeshPicker& picker, const ViewFrame& frame, const Vec3& place) {
+  const auto projected = frame.project(place);
+  if (!projected) return false;
+  const Ray ray = frame.ray(projected->pixel);
+  const auto met = picker.face_under(ray);
+  return !met || met->distance >= (1 - slack) * (place - ray.origin).dot(ray.direction);
+}
 
 std::vector<HolePatchView> patch_views(const PatchSurface& patches, const std::vector<HoleRow>& rows) {
   std::map<std::int32_t, HolePatchView> views;
@@ -61,6 +71,34 @@ bool is_inside_out(const PolyMesh& mesh) {
 }
 
 }  // namespace
+
+HoleSightMaker::HoleSightMaker(QObject* parent) : QObject(parent) { thread_.setMaxThreadCount(1); }
+
+HoleSightMaker::~HoleSightMaker() { thread_.waitForDone(); }
+
+void HoleSightMaker::follow(const std::shared_ptr<const PolyMesh>& scan) {
+  if (scan == scan_) return;
+  scan_ = scan;
+  picker_.reset();
+  if (!scan) return;
+  thread_.start([this, scan] {
+    const auto picker = std::make_shared<MeshPicker>(scan);
+    picker->prepare();
+    QMetaObject::invokeMethod(
+        this,
+        [this, scan, picker] {
+          if (scan != scan_) return;
+          picker_ = picker;
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+HoleSight HoleSightMaker::sight() const {
+  if (!picker_) return {};
+  return [picker = picker_](const ViewFrame& frame, const Vec3& place) { return is_seen(*picker, frame, place); };
+}
 
 HoleInteraction::HoleInteraction(Studio& studio, ObjectScenes& scenes, std::function<ViewFrame(int)> frame_of,
                                  QObject* parent)

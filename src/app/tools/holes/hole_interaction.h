@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QThreadPool>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,14 +11,36 @@
 
 #include "app/tools/holes/hole_overlay.h"
 #include "app/tools/holes/hole_plan.h"
-#include "app/tools/holes/hole_rows.h"
-#include "app/tools/holes/hole_sight.h"
-#include "app/tools/holes/patch_preview.h"
 #include "app/views/object_scenes.h"
+#include "croquis/tools/holes/hole_pins.h"
 #include "croquis/tools/holes/hole_tool.h"
+#include "croquis/tools/mesh/mesh_pick.h"
 #include "croquis/tools/pointer/pen.h"
 
 namespace croquis::app {
+
+/// Finds which holes a scan itself hides in a view. What that needs is made on another thread.
+class HoleSightMaker : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HoleSightMaker(QObject* parent);
+  ~HoleSightMaker() override;
+
+  /// Null: nothing hides anything.
+  void follow(const std::shared_ptr<const PolyMesh>& scan);
+
+  /// Empty before it is ready.
+  HoleSight sight() const;
+
+ signals:
+  void changed();
+
+ private:
+  std::shared_ptr<const PolyMesh> scan_;
+  std::shared_ptr<MeshPicker> picker_;
+  QThreadPool thread_;
+};
 
 /// Work on the holes of the active object: picks, fills, reopens, bridges and shapes them, by view, list and menu.
 /// All that it changes is a parameter of the object's `fill` operation.
@@ -66,10 +89,13 @@ class HoleInteraction : public QObject {
   };
   Way way() const;
   std::string preset() const;  ///< of all holes
-  void set_fairness(const std::string& fairness);
-  void set_kernel(const std::string& kernel);
-  void set_bulge(double bulge, bool dragging);
-  void set_trim(int rings);
+  /// What isn't given stays.
+  struct WayChange {
+    std::optional<std::string> fairness = {}, kernel = {};
+    std::optional<double> bulge = {};
+    std::optional<std::int64_t> trim_rim = {};
+  };
+  void set_way(const WayChange& change, bool dragging = false);
   void set_preset(const std::string& preset);  ///< of all holes: what is scanned
   void set_mode(const std::string& mode);      ///< of all holes: patches, or the model remeshed
 

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/tools/holes/filling.h"
 #include "app/tools/holes/hole_interaction.h"
+#include "app/tools/holes/hole_plan.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
-
-using hole_filling::Selection;
 
 const std::string remesh_label = "Remesh";
 
@@ -125,10 +123,10 @@ void HoleInteraction::fill_all(const std::string& select) {
   fill_named(what, parse_selection(select), 0);
 }
 
-std::vector<Index> HoleInteraction::open_after(Selection select, std::span<const Index> named) const {
+std::vector<Index> HoleInteraction::open_after(hole_filling::Selection select, std::span<const Index> named) const {
   std::vector<Index> open;
   for (const HoleRow& row : rows_) {
-    const bool stays_filled = select == Selection::Inner && row.state == HoleState::Filled;
+    const bool stays_filled = select == hole_filling::Selection::Inner && row.state == HoleState::Filled;
     if (!stays_filled && !std::ranges::binary_search(named, row.id)) open.push_back(row.id);
   }
   return open;
@@ -137,14 +135,14 @@ std::vector<Index> HoleInteraction::open_after(Selection select, std::span<const
 bool HoleInteraction::can_fill_all(const std::string& select) const {
   const bool is_known = shown_ && !shown_->failed;
   if (rows_.empty()) return !is_known;
-  const Selection selection = parse_selection(select);
+  const hole_filling::Selection selection = parse_selection(select);
   const std::vector<Index> open = open_after(selection, named_rows(rows_, selection));
   return std::ranges::any_of(rows_, [&](const HoleRow& row) {
     return std::ranges::binary_search(open, row.id) != (row.state == HoleState::Open);
   });
 }
 
-void HoleInteraction::fill_named(const std::string& label, Selection select, double limit) {
+void HoleInteraction::fill_named(const std::string& label, hole_filling::Selection select, double limit) {
   const std::vector<Index> named = limit > 0 ? named_rows(rows_, select, limit) : named_rows(rows_, select);
   const std::vector<Index> open = open_after(select, named);
   std::vector<Index> kept;  // filled before, though the selection doesn't name them
@@ -160,7 +158,7 @@ void HoleInteraction::fill_named(const std::string& label, Selection select, dou
 }
 
 void HoleInteraction::fill_up_to(double diameter) {
-  fill_named(label_up_to(diameter), Selection::Inner, diameter);
+  fill_named(label_up_to(diameter), hole_filling::Selection::Inner, diameter);
   selection_moved();
   emit committed(recorded::HoleChoice{{}, "fill", {}, diameter});
 }
@@ -189,7 +187,7 @@ void HoleInteraction::clear_handles() {
 
 void HoleInteraction::apply(const recorded::HoleChoice& step) {
   if (step.up_to) {
-    fill_named(label_up_to(*step.up_to), Selection::Inner, *step.up_to);
+    fill_named(label_up_to(*step.up_to), hole_filling::Selection::Inner, *step.up_to);
   } else if (step.action == "fill") {
     change_plan("Fill " + words_for(step.holes), [&](HolePlan& plan) {
       // Where a bridge couldn't be made, each rim gets a patch of its own.
@@ -274,19 +272,9 @@ void HoleInteraction::change_way(const recorded::HoleWay& step, bool dragging) {
   });
 }
 
-void HoleInteraction::set_fairness(const std::string& fairness) {
-  change_way({.holes = tool_.selected(), .fairness = fairness}, false);
+void HoleInteraction::set_way(const WayChange& change, bool dragging) {
+  change_way({tool_.selected(), change.fairness, change.kernel, change.bulge, change.trim_rim, {}}, dragging);
 }
-
-void HoleInteraction::set_kernel(const std::string& kernel) {
-  change_way({.holes = tool_.selected(), .kernel = kernel}, false);
-}
-
-void HoleInteraction::set_bulge(double bulge, bool dragging) {
-  change_way({.holes = tool_.selected(), .bulge = bulge}, dragging);
-}
-
-void HoleInteraction::set_trim(int rings) { change_way({.holes = tool_.selected(), .trim_rim = rings}, false); }
 
 std::string HoleInteraction::preset() const {
   const Node* operation = node();

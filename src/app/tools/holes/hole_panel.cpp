@@ -4,55 +4,71 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/panels/number_box.h"
-#include "app/panels/number_keys.h"
-#include "app/panels/size_slider.h"
-#include "app/tools/holes/filling.h"
+#include "app/tools/holes/hole_plan.h"
 #include "app/tools/holes/hole_table.h"
-#include "app/tools/holes/remesh_estimate.h"
+#include "croquis/remeshing/remesh.h"
 
 namespace croquis::app {
 namespace {
 
+/// For a triangle of the scan, with cubes as large as its edges: a rough figure on the safe side. The shipped scan of
+/// 20,000 triangles took half of it.
+constexpr double seconds_per_face = 40e-6;
+
+double number(const Studio& studio, const Node& node, const char* name, double otherwise) {
+  const ParameterValue value = filling_value(studio, node, name);
+  if (const auto* found = std::get_if<double>(&value)) return *found;
+  if (const auto* found = std::get_if<std::int64_t>(&value)) return static_cast<double>(*found);
+  return otherwise;
+}
+
+QString seconds(double count) {
+  if (count < 1) return QCoreApplication::translate("Holes", "a second");
+  if (count < 90) return QCoreApplication::translate("Holes", "%1 s").arg(std::lround(count));
+  return QCoreApplication::translate("Holes", "%1 min").arg(std::lround(count / 60));
+}
+
+QString bytes(std::size_t count) {
+  const double megabytes = static_cast<double>(count) * 1e-6;
+  if (megabytes < 1000) return QCoreApplication::translate("Holes", "%1 MB").arg(std::lround(megabytes));
+  return QCoreApplication::translate("Holes", "%1 GB").arg(megabytes * 1e-3, 0, 'f', 1);
+}
+
 constexpr int bulge_steps = 100;  // of the slider on either side
 constexpr int most_trimmed = 3;
 
-struct Choice {
-  const char* value;
-  const char* text;
-};
-constexpr std::array<Choice, 4> ways{{{"auto", QT_TRANSLATE_NOOP("HolePanel", "Automatic")},
-                                      {"rbf", QT_TRANSLATE_NOOP("HolePanel", "Continue the surface")},
-                                      {"smooth", QT_TRANSLATE_NOOP("HolePanel", "Continue its slope")},
-                                      {"flat", QT_TRANSLATE_NOOP("HolePanel", "Flat")}}};
-
-constexpr std::array<Choice, 5> presets{{{"auto", QT_TRANSLATE_NOOP("HolePanel", "Automatic")},
-                                         {"standard", QT_TRANSLATE_NOOP("HolePanel", "Standard")},
-                                         {"sharp", QT_TRANSLATE_NOOP("HolePanel", "Sharp: machined parts")},
-                                         {"noisy", QT_TRANSLATE_NOOP("HolePanel", "Noisy: rough scans")},
-                                         {"paper", QT_TRANSLATE_NOOP("HolePanel", "Paper: as Yoo 2005 has it")}}};
-
-QBoxLayout* add_row(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  column->addLayout(row);
-  return row;
+/// A button that does what the window's action does.
+QPushButton* action_button(QWidget* panel, QAction* does, const QString& text) {
+  auto* button = new QPushButton(text, panel);
+  button->setObjectName(does->objectName() + "-button");
+  button->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+  const QString keys = does->shortcut().toString(QKeySequence::NativeText);
+  button->setToolTip(does->text().remove('&') + (keys.isEmpty() ? QString() : " (" + keys + ")"));
+  QObject::connect(button, &QPushButton::clicked, does, &QAction::trigger);
+  QObject::connect(does, &QAction::changed, button, [button, does] {
+    button->setEnabled(does->isEnabled());
+    if (does->isCheckable()) button->setChecked(does->isChecked());
+  });
+  button->setCheckable(does->isCheckable());
+  if (does->isCheckable()) button->setStyleSheet("QPushButton:checked { background: #6a4a26 }");
+  return button;
 }
 
-void show_choice(QComboBox* box, const std::string& value) {
-  const QSignalBlocker quiet(box);
-  box->setCurrentIndex(box->findData(QString::fromStdString(value)));
+/// Its choices are as wide as they are at first.
+QComboBox* named(QComboBox* box, const QString& name) {
+  box->setAccessibleName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContentsOnFirstShow);
+  return box;
 }
 
 LeftOpen left_open(const std::vector<HoleRow>& rows) {
@@ -75,6 +91,10 @@ bool is_remeshed(const WorkObject& object) {
   return found != nullptr && found->remeshed;
 }
 
+std::string mode_of_holes(const Studio& studio, const Node& node) {
+  return std::get<std::string>(filling_value(studio, node, "mode"));
+}
+
 const ParameterDescription* parameter(const Studio& studio, const std::string& name) {
   const OperationDescription* operation = studio.description("fill");
   if (operation == nullptr) return nullptr;
@@ -86,32 +106,45 @@ const ParameterDescription* parameter(const Studio& studio, const std::string& n
 
 }  // namespace
 
-HolePanel::HolePanel(Studio& studio, HoleInteraction& holes, std::function<QAction*(const QString&)> action,
-                     QWidget* parent)
-    : QWidget(parent),
+QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh& scan) {
+  remeshing::RemeshOptions options;
+  options.cell = std::max(number(studio, node, "cell", options.cell), 1e-3);
+  options.refine = static_cast<int>(number(studio, node, "refine", options.refine));
+  options.adaptive = number(studio, node, "adaptive", options.adaptive);
+  options.overlap = number(studio, node, "overlap", options.overlap);
+  const double finer = 1 / (options.cell * options.cell);
+  const double time = seconds_per_face * static_cast<double>(scan.face_count()) * std::max(finer, 0.3);
+  return QCoreApplication::translate(
+             "Holes", "About %1, and %2 of memory at most; every vertex of the model will be another one.")
+      .arg(seconds(time), bytes(remeshing::predicted_remesh_bytes(scan, options)));
+}
+
+HolePanel::HolePanel(Studio& studio, HoleInteraction& holes, const Action& action)
+    : Panel("hole-panel"),
       studio_(studio),
       holes_(holes),
-      action_(std::move(action)),
       check_(nullptr),
-      summary_(new QLabel(this)),
-      checked_(new QLabel(this)),
+      summary_(label({})),
+      checked_(label({})),
       table_(new HoleTable(this)),
       sizes_(new SizeSlider(this)) {
-  setObjectName("hole-panel");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(6, 4, 6, 4);
-  column->setSpacing(4);
-  make_head(column);
-  make_buttons(column);
-  make_sizes(column);
-  make_preset(column);
-  make_way(column);
-  make_shape(column);
-  make_mode(column);
+  column()->setContentsMargins(6, 4, 6, 4);
+  column()->setSpacing(4);
+  make_head();
+  make_buttons(action);
+  make_sizes();
+  make_way();
+  make_shape();
+  row({action_button(this, action("clear-handles"), tr("Clear handles")),
+       action_button(this, action("tint-patches"), tr("Confidence")),
+       action_button(this, action("zebra"), tr("Zebra"))});
+  make_mode();
   connect(&check_, &SurfaceCheck::changed, this, &HolePanel::follow_check);
 }
 
-void HolePanel::make_head(QBoxLayout* column) {
+bool HolePanel::is_there() const { return holes_.active() && filling_node(studio_) != nullptr; }
+
+void HolePanel::make_head() {
   summary_->setObjectName("hole-summary");
   QFont bold = summary_->font();
   bold.setBold(true);
@@ -120,172 +153,154 @@ void HolePanel::make_head(QBoxLayout* column) {
   checked_->setObjectName("hole-check");
   checked_->setWordWrap(true);
   checked_->hide();
-  column->addWidget(summary_);
-  column->addWidget(checked_);
-  column->addWidget(table_, 1);
+  column()->addWidget(summary_);
+  column()->addWidget(checked_);
+  column()->addWidget(table_, 1);
   connect(table_, &HoleTable::holes_chosen, this, [this](const std::vector<Index>& chosen) { holes_.select(chosen); });
   connect(table_, &HoleTable::hole_opened, this, [this](Index hole) {
     holes_.select({hole});
     emit frame_wanted();
   });
+  also([this] { follow_head(); });
 }
 
-QPushButton* HolePanel::action_button(const QString& name, const QString& text, QBoxLayout* row) {
-  auto* button = new QPushButton(text, this);
-  button->setObjectName(name + "-button");
-  button->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
-  QAction* does = action_(name);
-  const QString keys = does->shortcut().toString(QKeySequence::NativeText);
-  button->setToolTip(does->text().remove('&') + (keys.isEmpty() ? QString() : " (" + keys + ")"));
-  connect(button, &QPushButton::clicked, does, &QAction::trigger);
-  connect(does, &QAction::changed, button, [button, does] {
-    button->setEnabled(does->isEnabled());
-    if (does->isCheckable()) button->setChecked(does->isChecked());
-  });
-  button->setCheckable(does->isCheckable());
-  if (does->isCheckable()) button->setStyleSheet("QPushButton:checked { background: #6a4a26 }");
-  row->addWidget(button);
-  return button;
+void HolePanel::make_buttons(const Action& action) {
+  const auto button = [&](const char* name, const QString& text) { return action_button(this, action(name), text); };
+  row({button("fill-selected", tr("Fill")), button("reopen-selected", tr("Reopen")),
+       button("bridge-holes", tr("Bridge")), button("frame-selection", tr("Frame"))});
+  row({button("fill-inner", tr("Fill all inner")), button("fill-all-but-largest", tr("All but largest"))});
 }
 
-void HolePanel::make_buttons(QBoxLayout* column) {
-  QBoxLayout* chosen = add_row(column);
-  action_button("fill-selected", tr("Fill"), chosen);
-  action_button("reopen-selected", tr("Reopen"), chosen);
-  action_button("bridge-holes", tr("Bridge"), chosen);
-  action_button("frame-selection", tr("Frame"), chosen);
-  QBoxLayout* all = add_row(column);
-  action_button("fill-inner", tr("Fill all inner"), all);
-  action_button("fill-all-but-largest", tr("All but largest"), all);
-}
-
-void HolePanel::make_sizes(QBoxLayout* column) {
-  QBoxLayout* row = add_row(column);
-  row->addWidget(sizes_, 1);
+void HolePanel::make_sizes() {
   fill_sizes_ = new QPushButton(this);
   fill_sizes_->setObjectName("fill-sizes");
   fill_sizes_->setFocusPolicy(Qt::NoFocus);
   // Of one width for all numbers, so that the slider beside it stays under the pointer.
   const int widest = fill_sizes_->fontMetrics().horizontalAdvance(fill_text(9999, 0.000012345));
   fill_sizes_->setFixedWidth(widest + 2 * fill_sizes_->fontMetrics().averageCharWidth());
-  row->addWidget(fill_sizes_);
+  row({{sizes_, 1}, fill_sizes_});
   connect(sizes_, &SizeSlider::moved, this, [this](double diameter) {
     holes_.select_by_size(diameter);
     follow_sizes();
   });
   connect(fill_sizes_, &QPushButton::clicked, this, [this] { holes_.fill_up_to(sizes_->diameter()); });
+  also([this] { follow_sizes(); });
 }
 
-void HolePanel::make_preset(QBoxLayout* column) {
-  QBoxLayout* row = add_row(column);
-  auto* name = new QLabel(tr("Preset, of all holes:"), this);
-  preset_ = new QComboBox(this);
-  preset_->setObjectName("hole-preset");
-  preset_->setAccessibleName(tr("Preset"));
-  for (const Choice& choice : presets) preset_->addItem(tr(choice.text), QString(choice.value));
-  if (const ParameterDescription* described = parameter(studio_, "preset")) {
-    name->setToolTip(QString::fromStdString(described->sentence));
-    preset_->setToolTip(name->toolTip());
-  }
-  row->addWidget(name);
-  row->addWidget(preset_, 1);
-  connect(preset_, &QComboBox::activated, this,
-          [this] { holes_.set_preset(preset_->currentData().toString().toStdString()); });
-}
-
-void HolePanel::make_way(QBoxLayout* column) {
-  way_of_ = new QLabel(this);
-  way_of_->setObjectName("way-of");
-  column->addWidget(way_of_);
-  QBoxLayout* row = add_row(column);
-  fairness_ = new QComboBox(this);
-  fairness_->setObjectName("hole-way");
-  fairness_->setAccessibleName(tr("Method"));
-  fairness_->setToolTip(tr("Automatic: flat where an open surface ends, elsewhere the surface is continued"));
-  for (const Choice& choice : ways) fairness_->addItem(tr(choice.text), QString(choice.value));
-  kernel_ = new QComboBox(this);
-  kernel_->setObjectName("hole-kernel");
-  kernel_->setAccessibleName(tr("Function"));
-  kernel_->setToolTip(tr("Of the functions that continue the surface"));
-  if (const ParameterDescription* kernels = parameter(studio_, "kernel")) {
-    for (std::size_t i = 0; i < kernels->choices.size(); ++i)
-      kernel_->addItem(QString::fromStdString(kernels->choice_titles[i]), QString::fromStdString(kernels->choices[i]));
-  }
-  row->addWidget(fairness_, 1);
-  row->addWidget(kernel_, 1);
-  connect(fairness_, &QComboBox::activated, this,
-          [this] { holes_.set_fairness(fairness_->currentData().toString().toStdString()); });
-  connect(kernel_, &QComboBox::activated, this,
-          [this] { holes_.set_kernel(kernel_->currentData().toString().toStdString()); });
-}
-
-void HolePanel::make_shape(QBoxLayout* column) {
-  QBoxLayout* row = add_row(column);
-  auto* name = new QLabel(tr("Bulge"), this);
-  name->setToolTip(tr("Turns the slope at the rim: out above 0, in below"));
-  bulge_slider_ = new QSlider(Qt::Horizontal, this);
-  bulge_slider_->setObjectName("bulge-slider");
-  bulge_slider_->setAccessibleName(tr("Bulge"));
-  bulge_slider_->setRange(-bulge_steps, bulge_steps);
-  bulge_ = make_number_box(this, "bulge", {-1, 1, 2});
-  bulge_->setAccessibleName(tr("Bulge"));
-  bulge_->setSingleStep(0.05);
-  trim_ = new QSpinBox(this);
-  trim_->setObjectName("trim-rim");
-  trim_->setAccessibleName(tr("Rings of faces taken off the rim"));
-  trim_->setToolTip(tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
-  trim_->setRange(0, most_trimmed);
-  trim_->setPrefix(tr("Trim "));
-  trim_->setSuffix(tr(" rings"));
-  share_keys(bulge_);
-  share_keys(trim_);
-  row->addWidget(name);
-  row->addWidget(bulge_slider_, 1);
-  row->addWidget(bulge_);
-  row->addWidget(trim_);
-  connect(bulge_slider_, &QSlider::valueChanged, this, [this](int value) {
-    holes_.set_bulge(static_cast<double>(value) / bulge_steps, bulge_slider_->isSliderDown());
+void HolePanel::make_way() {
+  QLabel* of_all = label(tr("Preset, of all holes:"));
+  if (const ParameterDescription* described = parameter(studio_, "preset"))
+    of_all->setToolTip(QString::fromStdString(described->sentence));
+  const std::vector<Choice> presets{{tr("Automatic"), "auto"},
+                                    {tr("Standard"), "standard"},
+                                    {tr("Sharp: machined parts"), "sharp"},
+                                    {tr("Noisy: rough scans"), "noisy"},
+                                    {tr("Paper: as Yoo 2005 has it"), "paper"}};
+  QComboBox* preset = choice_of_values(
+      "hole-preset", presets, [this] { return holes_.preset(); },
+      [this](const std::string& value) { holes_.set_preset(value); }, of_all->toolTip());
+  row({of_all, {named(preset, tr("Preset")), 1}});
+  QLabel* title = text("way-of", [this] {
+    const std::vector<Index>& chosen = holes_.selected();
+    return chosen.empty()       ? tr("Patches of all holes:")
+           : chosen.size() == 1 ? tr("Patch of hole %1:").arg(chosen.front())
+                                : tr("Patches of holes %1:").arg(numbers_of({chosen.begin(), chosen.end()}));
   });
-  connect(bulge_slider_, &QSlider::sliderReleased, this,
-          [this] { holes_.set_bulge(static_cast<double>(bulge_slider_->value()) / bulge_steps, false); });
-  connect(bulge_, &QDoubleSpinBox::valueChanged, this, [this](double value) { holes_.set_bulge(value, false); });
-  connect(trim_, &QSpinBox::valueChanged, this, [this](int rings) { holes_.set_trim(rings); });
-  QBoxLayout* looks = add_row(column);
-  action_button("clear-handles", tr("Clear handles"), looks);
-  action_button("tint-patches", tr("Confidence"), looks);
-  action_button("zebra", tr("Zebra"), looks);
+  title->setWordWrap(false);
+  column()->addWidget(title);
+  const std::vector<Choice> methods{{tr("Automatic"), "auto"},
+                                    {tr("Continue the surface"), "rbf"},
+                                    {tr("Continue its slope"), "smooth"},
+                                    {tr("Flat"), "flat"}};
+  std::vector<Choice> kernels;
+  if (const ParameterDescription* described = parameter(studio_, "kernel")) {
+    for (std::size_t i = 0; i < described->choices.size(); ++i)
+      kernels.push_back(
+          {QString::fromStdString(described->choice_titles[i]), QString::fromStdString(described->choices[i])});
+  }
+  QComboBox* fairness = choice_of_values(
+      "hole-way", methods, [this] { return holes_.way().fairness; },
+      [this](const std::string& value) { holes_.set_way({.fairness = value}); },
+      tr("Automatic: flat where an open surface ends, elsewhere the surface is continued"));
+  QComboBox* kernel = choice_of_values(
+      "hole-kernel", kernels, [this] { return holes_.way().kernel; },
+      [this](const std::string& value) { holes_.set_way({.kernel = value}); },
+      tr("Of the functions that continue the surface"));
+  also([this, kernel] {
+    const std::string method = holes_.way().fairness;
+    kernel->setEnabled(method == "rbf" || method == "auto");
+  });
+  row({{named(fairness, tr("Method")), 1}, {named(kernel, tr("Function")), 1}});
 }
 
-void HolePanel::make_mode(QBoxLayout* column) {
-  QBoxLayout* row = add_row(column);
-  mode_ = new QComboBox(this);
-  mode_->setObjectName("hole-mode");
-  mode_->setAccessibleName(tr("Mode"));
-  if (const ParameterDescription* mode = parameter(studio_, "mode")) {
-    for (const std::string& choice : mode->choices) {
-      mode_->addItem(choice == "remesh" ? tr("Remesh the whole model") : tr("Patches, rest unchanged"),
-                     QString::fromStdString(choice));
+void HolePanel::make_shape() {
+  QLabel* name = label(tr("Bulge"));
+  name->setToolTip(tr("Turns the slope at the rim: out above 0, in below"));
+  auto* slider = new QSlider(Qt::Horizontal, this);
+  slider->setObjectName("bulge-slider");
+  slider->setAccessibleName(tr("Bulge"));
+  slider->setRange(-bulge_steps, bulge_steps);
+  const auto slide = [this, slider](bool dragging) {
+    if (!following()) holes_.set_way({.bulge = static_cast<double>(slider->value()) / bulge_steps}, dragging);
+  };
+  connect(slider, &QSlider::valueChanged, this, [slide, slider] { slide(slider->isSliderDown()); });
+  connect(slider, &QSlider::sliderReleased, this, [slide] { slide(false); });
+  QDoubleSpinBox* bulge = number(
+      "bulge", {-1, 1, 2}, [this] { return Number{holes_.way().bulge}; },
+      [this](double value) { holes_.set_way({.bulge = value}); });
+  bulge->setAccessibleName(tr("Bulge"));
+  bulge->setSingleStep(0.05);
+  auto* trim = new QSpinBox(this);
+  trim->setObjectName("trim-rim");
+  trim->setAccessibleName(tr("Rings of faces taken off the rim"));
+  trim->setToolTip(tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
+  trim->setRange(0, most_trimmed);
+  trim->setPrefix(tr("Trim "));
+  trim->setSuffix(tr(" rings"));
+  connect(trim, &QSpinBox::valueChanged, this, [this](int rings) {
+    if (!following()) holes_.set_way({.trim_rim = rings});
+  });
+  share_keys(bulge);
+  share_keys(trim);
+  row({name, {slider, 1}, bulge, trim});
+  also([this, slider, trim] {
+    const HoleInteraction::Way way = holes_.way();
+    // While it is held down, the slider leads.
+    if (!slider->isSliderDown()) slider->setValue(static_cast<int>(std::lround(way.bulge * bulge_steps)));
+    trim->setValue(way.trim_rim);
+  });
+}
+
+void HolePanel::make_mode() {
+  std::vector<Choice> modes;
+  if (const ParameterDescription* described = parameter(studio_, "mode")) {
+    for (const std::string& choice : described->choices) {
+      modes.push_back({choice == "remesh" ? tr("Remesh the whole model") : tr("Patches, rest unchanged"),
+                       QString::fromStdString(choice)});
     }
   }
+  mode_ = choice_of_values(
+      "hole-mode", modes,
+      [this] { return is_there() ? mode_of_holes(studio_, *filling_node(studio_)) : std::string("patch"); },
+      [this](const std::string& mode) {
+        // Patches come back at once; remeshing begins after its estimate was shown.
+        if (mode == "remesh") return follow_estimate();
+        holes_.set_mode(mode);
+      });
   start_ = new QPushButton(tr("Start"), this);
   start_->setObjectName("start-remesh");
   start_->setFocusPolicy(Qt::NoFocus);
-  estimate_ = new QLabel(this);
+  connect(start_, &QPushButton::clicked, this, [this] { holes_.set_mode("remesh"); });
+  estimate_ = label({});
   estimate_->setObjectName("remesh-estimate");
   estimate_->setWordWrap(true);
-  row->addWidget(mode_, 1);
-  row->addWidget(start_);
-  column->addWidget(estimate_);
-  connect(mode_, &QComboBox::activated, this, [this] {
-    // Patches come back at once; remeshing begins after its estimate was shown.
-    if (mode_->currentData() == "remesh") return follow_mode();
-    holes_.set_mode(mode_->currentData().toString().toStdString());
-  });
-  connect(start_, &QPushButton::clicked, this, [this] { holes_.set_mode("remesh"); });
+  row({{named(mode_, tr("Mode")), 1}, start_});
+  column()->addWidget(estimate_);
+  also([this] { follow_estimate(); });
 }
 
-void HolePanel::follow() {
-  const bool there = holes_.active() && filling_node(studio_) != nullptr;
+void HolePanel::follow_head() {
+  const bool there = is_there();
   setEnabled(there);
   const bool looking = there && holes_.rows().empty() && studio_.busy();
   summary_->setText(!there    ? tr("No mesh is being worked on")
@@ -294,15 +309,10 @@ void HolePanel::follow() {
   table_->name_unit(QString::fromStdString(studio_.unit()));
   table_->show_holes(holes_.rows());
   table_->show_selection(holes_.selected());
-  follow_sizes();
-  follow_way();
-  show_choice(mode_, std::get<std::string>(there ? filling_value(studio_, *filling_node(studio_), "mode")
-                                                 : ParameterValue(std::string("patch"))));
-  follow_mode();
   const WorkObject* object = studio_.active();
-  const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
-                      std::any_of(holes_.rows().begin(), holes_.rows().end(),
-                                  [](const HoleRow& row) { return row.state == HoleState::Filled; });
+  const bool filled =
+      there && object->quality == Quality::Final && object->result && !object->result->failed &&
+      std::ranges::any_of(holes_.rows(), [](const HoleRow& row) { return row.state == HoleState::Filled; });
   const bool remeshed = filled && is_remeshed(*object);  // what is shown, whatever is being computed
   check_.follow(filled ? object->mesh : nullptr, filled && !remeshed ? holes_.scan() : nullptr);
 }
@@ -325,30 +335,11 @@ void HolePanel::follow_sizes() {
                                     .arg(measure(limit)));
 }
 
-void HolePanel::follow_way() {
-  const HoleInteraction::Way way = holes_.way();
-  const std::vector<Index>& chosen = holes_.selected();
-  way_of_->setText(chosen.empty()       ? tr("Patches of all holes:")
-                   : chosen.size() == 1 ? tr("Patch of hole %1:").arg(chosen.front())
-                                        : tr("Patches of holes %1:").arg(numbers_of({chosen.begin(), chosen.end()})));
-  show_choice(preset_, holes_.preset());
-  show_choice(fairness_, way.fairness);
-  show_choice(kernel_, way.kernel);
-  kernel_->setEnabled(way.fairness == "rbf" || way.fairness == "auto");
-  const QSignalBlocker quiet_slider(bulge_slider_);
-  const QSignalBlocker quiet_bulge(bulge_);
-  const QSignalBlocker quiet_trim(trim_);
-  // While it is held down, the slider leads.
-  if (!bulge_slider_->isSliderDown()) bulge_slider_->setValue(static_cast<int>(std::lround(way.bulge * bulge_steps)));
-  bulge_->setValue(way.bulge);
-  trim_->setValue(way.trim_rim);
-}
-
-void HolePanel::follow_mode() {
+void HolePanel::follow_estimate() {
   const Node* node = filling_node(studio_);
   const WorkObject* object = studio_.active();
   const bool wanted = mode_->currentData() == "remesh" && node != nullptr && object->cage_mesh;
-  const bool runs = wanted && std::get<std::string>(filling_value(studio_, *node, "mode")) == "remesh";
+  const bool runs = wanted && mode_of_holes(studio_, *node) == "remesh";
   start_->setVisible(wanted && !runs);
   const bool done = runs && !studio_.busy();
   estimate_->setVisible(wanted && !done);

@@ -1,13 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/holes/hole_plan.h"
 
+#include <QCoreApplication>
+#include <QLocale>
+#include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
-#include "app/tools/holes/filling.h"
+#include "app/panels/number_box.h"
+#include "croquis/base/error.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/hole_filling/hole_choice.h"
+#include "croquis/workspace/node_values.h"
+#include "croquis/workspace/object_names.h"
 
 namespace croquis::app {
 namespace {
+
+QString tr(const char* text, int count = -1) { return QCoreApplication::translate("Holes", text, nullptr, count); }
+
+using hole_filling::HoleClass;
+
+const char* word_of(HoleClass kind) {
+  switch (kind) {
+    case HoleClass::Small: return "small";
+    case HoleClass::Simple: return "hole";
+    case HoleClass::Islands: return "with island";
+    case HoleClass::Tunnel: return "tunnel end";
+    case HoleClass::Outer: return "open edge";
+    case HoleClass::Slit: return "slit";
+    case HoleClass::BowTie: return "touches another";
+  }
+  return "";
+}
 
 bool has(std::span<const Index> holes, Index hole) {
   return std::find(holes.begin(), holes.end(), hole) != holes.end();
@@ -34,7 +59,119 @@ bool same_but_holes(const HoleWish& a, HoleWish b) {
   return a == b;
 }
 
+/// Where the previewed operation stands in the document that is evaluated for it; comparisons stand elsewhere.
+constexpr NodeId previewed_node = NodeId{1} << 61;
+
 }  // namespace
+
+const Node* filling_node(const Studio& studio) {
+  const Node* node = studio.active_operation();
+  return node == nullptr || node->operation != filling_operation ? nullptr : node;
+}
+
+bool can_fill(const Studio& studio) {
+  const WorkObject* object = studio.active();
+  return object != nullptr && object->shown() != nullptr && studio.description(filling_operation) != nullptr;
+}
+
+void start_filling(Studio& studio) {
+  if (filling_node(studio) != nullptr) return;
+  if (!can_fill(studio)) {
+    throw Error(make_error(Category::Usage, "E_EMPTY", "There is no mesh whose holes could be filled: open one first"));
+  }
+  const WorkObject& object = *studio.active();
+  if (MeshTopology(*object.shown()).boundary_loops().size() == 0) {
+    throw Error(
+        make_error(Category::Usage, "E_EMPTY",
+                   readable_name(object.name) +
+                       " has no holes: every edge has faces on both sides; to remesh it choose Object > Add step"));
+  }
+  AddedNode added = with_step(studio.session().document(), studio.registry(), object.node, filling_operation,
+                              {{"select", std::string("none")}});
+  studio.session().edit("Find holes of " + readable_name(object.name), std::move(added.document));
+  studio.set_active(added.node);
+  studio.session().select({{added.node, ""}});
+}
+
+ParameterValue filling_value(const Studio& studio, const Node& node, const std::string& parameter) {
+  const OperationDescription* operation = studio.description(node.operation);
+  const ParameterDescription* found = operation == nullptr ? nullptr : find_parameter(operation->parameters, parameter);
+  return found == nullptr ? ParameterValue(std::string()) : values_of(node, *operation).at(parameter);
+}
+
+Document with_values(const Studio& studio, const Node& node, const ParameterValues& values) {
+  const Document& document = studio.session().document();
+  const OperationDescription* operation = studio.description(node.operation);
+  return operation == nullptr ? document : document.with(croquis::with_values(node, *operation, values));
+}
+
+std::vector<HoleRow> hole_rows(const Evaluation* result) {
+  const FillResult* found = result_of<FillResult>(result);
+  return found == nullptr ? std::vector<HoleRow>() : found->holes;
+}
+
+std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Selection selection,
+                              double max_diameter) {
+  std::vector<hole_filling::HoleSize> sizes;
+  for (const HoleRow& row : rows) sizes.push_back({row.kind, row.diameter});
+  const std::vector<hole_filling::Naming> named = named_holes(sizes, selection, max_diameter);
+  std::vector<Index> ids;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (named[i] == hole_filling::Naming::Named) ids.push_back(rows[i].id);
+  }
+  return ids;
+}
+
+std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes) {
+  std::set<Index> all(holes.begin(), holes.end());
+  for (const HoleRow& row : rows) {
+    if (row.kind == HoleClass::Islands && std::find(holes.begin(), holes.end(), row.id) != holes.end())
+      all.insert(row.companions.begin(), row.companions.end());
+  }
+  return {all.begin(), all.end()};
+}
+
+QString words_for(const HoleRow& hole) { return tr(word_of(hole.kind)); }
+
+QString words_for(HoleState state) {
+  switch (state) {
+    case HoleState::Filled: return tr("filled");
+    case HoleState::Failed: return tr("failed");
+    case HoleState::Open: break;
+  }
+  return tr("open");
+}
+
+QString summary_of(const std::vector<HoleRow>& holes) {
+  if (holes.empty()) return tr("No holes");
+  const auto count = [&](HoleState state, bool border) {
+    return std::count_if(holes.begin(), holes.end(), [&](const HoleRow& hole) {
+      return hole.state == state && (state != HoleState::Open || hole.is_border() == border);
+    });
+  };
+  QStringList parts;
+  const auto add = [&parts](std::ptrdiff_t number, const QString& one, const QString& many) {
+    if (number > 0) parts << (number == 1 ? one : many).arg(number);
+  };
+  add(count(HoleState::Filled, false), tr("%1 filled"), tr("%1 filled"));
+  add(count(HoleState::Open, false), tr("%1 open"), tr("%1 open"));
+  add(count(HoleState::Open, true), tr("%1 border left open"), tr("%1 borders left open"));
+  add(count(HoleState::Failed, false), tr("%1 failed"), tr("%1 failed"));
+  return (holes.size() == 1 ? tr("1 hole: ") : tr("%1 holes: ").arg(holes.size())) + parts.join(", ");
+}
+
+QString numbers_of(const std::set<Index>& holes) {
+  constexpr std::size_t shown_at_most = 6;
+  QStringList parts;
+  std::size_t shown = 0;
+  for (auto hole = holes.begin(); hole != holes.end() && shown < shown_at_most; ++hole, ++shown) {
+    parts << QString::number(*hole);
+  }
+  const QString list = parts.join(", ");
+  return holes.size() > shown_at_most ? tr("%1 and %2 more").arg(list).arg(holes.size() - shown_at_most) : list;
+}
+
+QString measure(double value) { return number_words(value); }
 
 HolePlan::HolePlan(const Studio& studio, const Node& node) {
   ParameterValues values;
@@ -124,6 +261,73 @@ ParameterValues HolePlan::values() const {
   }
   wishes.insert(wishes.end(), bridges_.begin(), bridges_.end());
   return to_parameters(choice);
+}
+
+PatchPreview::PatchPreview(Studio& studio, QThreadPool& threads, QObject* parent)
+    : QObject(parent), studio_(studio), item_(threads) {
+  connect(&item_, &LiveItem::ready, this, &PatchPreview::changed);
+}
+
+void PatchPreview::show(NodeId node, std::vector<Index> holes) {
+  if (node_ == node && holes_ == holes) return;
+  node_ = node;
+  holes_ = std::move(holes);
+  forget();
+  follow();
+  emit changed();
+}
+
+void PatchPreview::follow() {
+  const Document& document = studio_.session().document();
+  const Node* node = holes_.empty() ? nullptr : document.find(node_);
+  if (node == nullptr) {
+    if (live_) live_->cancel();
+    live_.reset();
+    forget();
+    return;
+  }
+  Node other = *node;
+  try {
+    HolePlan plan(studio_, *node);
+    plan.fill(holes_);
+    other.parameters = with_values(studio_, *node, plan.values()).find(node->id)->parameters;
+  } catch (const Error&) {
+    return;  // the operation itself reports errors in its wishes
+  }
+  other.id = previewed_node;
+  if (!live_) {
+    live_ = studio_.live_beside(previewed_node, [this] { take(); });
+  }
+  since_.start();
+  live_->follow(document.with(std::move(other)));
+}
+
+void PatchPreview::forget() {
+  shown_.reset();
+  patches_ = {};
+  rows_.clear();
+  item_.show(nullptr, {});
+}
+
+void PatchPreview::take() {
+  const Node* node = studio_.session().document().find(node_);
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
+  if (operation == nullptr || !live_ || !live_->result() || live_->result() == shown_) return;
+  shown_ = live_->result();
+  const FillResult* found = shown_->result<FillResult>();
+  const auto filled = mesh_of(*shown_, *operation);
+  if (!filled || found == nullptr) return;
+  rows_ = found->holes;
+  std::set<Index> wanted;
+  for (const HoleRow& row : rows_) {
+    if (row.patch && std::binary_search(holes_.begin(), holes_.end(), row.id)) wanted.insert(*row.patch);
+  }
+  render::MeshItemOptions options;
+  options.use_normal_channel = true;
+  patches_ = patches_of(*filled, nullptr, &wanted);
+  item_.show(colored(patches_, PatchLook::Preview), options);
+  latency_ms_ = static_cast<double>(since_.nsecsElapsed()) * 1e-6;
+  emit changed();
 }
 
 }  // namespace croquis::app

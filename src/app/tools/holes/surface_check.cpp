@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "croquis/base/error.h"
-#include "croquis/base/progress.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/surface_view.h"
 

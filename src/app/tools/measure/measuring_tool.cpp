@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/replay/replay_lookup.h"
+#include "app/replay/replays.h"
 #include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/theme.h"
-#include "croquis/tools/measure/measurement.h"
 
 namespace croquis::app {
 namespace {
@@ -26,11 +25,9 @@ constexpr float place_pixels = 9;
 constexpr float hover_pixels = 7;
 constexpr double line_pixels = 2;
 
-glm::dvec3 to_glm_place(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
-
 render::Mark mark_at(const Vec3& place, float pixels, const QColor& color) {
   render::Mark mark;
-  mark.position = to_glm_place(place);
+  mark.position = to_glm(place);
   mark.shape = render::MarkShape::Disc;
   mark.size = pixels;
   mark.color = to_color(color);
@@ -41,7 +38,8 @@ render::Mark mark_at(const Vec3& place, float pixels, const QColor& color) {
 }  // namespace
 
 MeasuringTool::MeasuringTool(ToolHost& host)
-    : Tool(host), tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }) {}
+    : Tool(host, "Measuring"),
+      tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }) {}
 
 void MeasuringTool::make_actions(ActionList& actions) {
   actions.add_mode(actions.menu(tr("&Tool")), "measure", tr("M&easure"), "M", [this] { host().set_mode("measure"); });
@@ -95,17 +93,14 @@ void MeasuringTool::measured_anew() {
   emit state_changed();
 }
 
-bool MeasuringTool::replay(const recorded::Step& step) {
-  if (!active()) host().set_mode("measure");
-  tool_.set_places(step.as<recorded::Measure>()->places);
-  emit Tool::changed();
-  emit state_changed();
-  return true;
-}
-
-Expectations MeasuringTool::expectations() {
-  Expectations own;
-  own.ranges["measured"] = [this](const std::string&) {
+void MeasuringTool::make_replays(Replays& replays) {
+  replays.on<recorded::Measure>([this](const recorded::Measure& step) {
+    if (!active()) host().set_mode("measure");
+    tool_.set_places(step.places);
+    emit Tool::changed();
+    emit state_changed();
+  });
+  replays.ranges["measured"] = [this](const std::string&) {
     const std::vector<Vec3>& places = tool_.places();
     if (places.size() < 2) refuse_replay("Nothing is measured");
     std::pair<double, double> range((places[1] - places[0]).norm(), (places[1] - places[0]).norm());
@@ -113,7 +108,6 @@ Expectations MeasuringTool::expectations() {
     if (places.size() > 2) range.second = std::max(range.second, (places[2] - places[1]).norm());
     return range;
   };
-  return own;
 }
 
 bool MeasuringTool::abandon() {
@@ -123,18 +117,14 @@ bool MeasuringTool::abandon() {
   return true;
 }
 
-bool MeasuringTool::select_none() {
-  if (!active()) return false;
+bool MeasuringTool::command(EditCommand command) {
+  if (!active() || (command != EditCommand::SelectNone && command != EditCommand::Delete)) return false;
   const bool had_places = !tool_.places().empty();
-  tool_.set_places({});
+  if (command == EditCommand::Delete)
+    tool_.remove_last();
+  else
+    tool_.set_places({});
   if (had_places) measured_anew();
-  emit Tool::changed();
-  return true;
-}
-
-bool MeasuringTool::delete_selection() {
-  if (!active()) return false;
-  if (tool_.remove_last()) measured_anew();
   emit Tool::changed();
   return true;
 }
@@ -154,7 +144,7 @@ void MeasuringTool::add_to(render::Scene& scene, int) {
   render::LinePath path;
   for (const Vec3& place : tool_.places()) {
     marks.push_back(mark_at(place, place_pixels, colors::accent));
-    path.points.push_back({to_glm_place(place), 1, {}});
+    path.points.push_back({to_glm(place), 1, {}});
   }
   if (tool_.hovered() && !pen_.down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
   if (path.points.size() > 1) {
@@ -188,7 +178,7 @@ void MeasuringTool::place_chips(ChipPlaces& places) {
 std::optional<SelectionFrame> MeasuringTool::selection_frame(int) const {
   if (tool_.places().size() < 2) return std::nullopt;
   render::Bounds bounds;
-  for (const Vec3& place : tool_.places()) bounds.add(to_glm_place(place));
+  for (const Vec3& place : tool_.places()) bounds.add(to_glm(place));
   return SelectionFrame{bounds, std::nullopt, true};
 }
 

@@ -29,20 +29,15 @@ class MeasuringTool final : public Tool {
   void take(const PointerEvent& event) override;
   bool down() const override { return pen_.down(); }
   bool abandon() override;
-  QString help_topic() const override { return QStringLiteral("Measuring"); }
   QString help() const override;
-  Qt::CursorShape cursor(int) const override { return Qt::CrossCursor; }
-  bool select_none() override;
-  bool delete_selection() override;
+  bool command(EditCommand command) override;
   bool has_selection() const override { return active() && !tool_.places().empty(); }
 
-  std::vector<const recorded::StepKind*> steps() const override { return {&recorded::step_kind<recorded::Measure>()}; }
-  bool replay(const recorded::Step& step) override;
-  Expectations expectations() override;
-
   void add_to(render::Scene& scene, int view) override;
+  ViewUse use_of(int) const override { return {Qt::CrossCursor}; }
   void place_chips(ChipPlaces& places) override;
   std::optional<SelectionFrame> selection_frame(int view) const override;
+  void make_replays(Replays& replays) override;
 
  private:
   bool active() const { return mode() == "measure"; }

@@ -5,14 +5,18 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolBar>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "croquis/base/error.h"
 
 namespace croquis::app {
 namespace {
@@ -38,13 +42,74 @@ const std::set<std::string> own_actions{"move",   "rotate",   "scale",     "extr
 
 const std::map<std::string, const char*> edit_keys{{"inset", "I"}};
 
+constexpr double far_off = 10;  // times larger or smaller
+
+/// "300" or "12.5": as many figures as are worth reading.
+QString times(double factor) { return QString::number(factor, 'f', factor < 100 ? 1 : 0); }
+
+Eigen::AlignedBox3d box_of(const Studio& studio, const WorkObject& object) {
+  const BoundingBox box = studio.bounds(object);
+  return box ? Eigen::AlignedBox3d((*box)[0], (*box)[1]) : Eigen::AlignedBox3d();
+}
+
+Eigen::AlignedBox3d box_of_rest(const Studio& studio, const WorkObject& object) {
+  Eigen::AlignedBox3d rest;
+  for (const WorkObject& other : studio.objects()) {
+    const bool is_seen = other.node != object.node && other.visible && other.shown();
+    if (is_seen) rest.extend(box_of(studio, other));
+  }
+  for (const Stroke& stroke : studio.drawing().strokes) {
+    for (const StrokeSample& sample : stroke.samples) rest.extend(Vec3(sample.position.x(), sample.position.y(), 0));
+  }
+  return rest;
+}
+
+/// The factor that gives the active object the diagonal of all the rest that is seen; none where it is alone or comes
+/// from a drawing. Files don't name their units: a mesh in metres is a dot in a sketch.
+std::optional<double> scale_factor(const Studio& studio) {
+  const WorkObject* object = studio.active();
+  if (object == nullptr || !object->visible || !object->begins_with_mesh) return std::nullopt;
+  const Eigen::AlignedBox3d rest = box_of_rest(studio, *object);
+  const Eigen::AlignedBox3d own = box_of(studio, *object);
+  if (rest.isEmpty() || own.isEmpty()) return std::nullopt;
+  const double factor = rest.diagonal().norm() / own.diagonal().norm();
+  if (!std::isnormal(factor)) return std::nullopt;
+  return factor;
+}
+
+/// Where the sizes differ so much that one is a dot beside the other; else empty.
+QString scale_sentence(const Studio& studio) {
+  const auto by = scale_factor(studio);
+  if (!by || (*by<far_off&& * by> 1 / far_off)) return {};
+  const QString name = QString::fromStdString(studio.active()->name);
+  return *by > 1 ? QObject::tr("%1 is %2 times smaller than the rest").arg(name, times(*by))
+                 : QObject::tr("%1 is %2 times larger than the rest").arg(name, times(1 / *by));
+}
+
+/// @throws Error (E_EMPTY)
+void scale_to_scene(Studio& studio) {
+  const auto by = scale_factor(studio);
+  if (!by) {
+    throw Error(make_error(Category::Usage, "E_EMPTY",
+                           "There is nothing to scale to: select a mesh while another object is visible"));
+  }
+  const WorkObject object = *studio.active();
+  const Eigen::AlignedBox3d rest = box_of_rest(studio, object);
+  const Vec3 middle = box_of(studio, object).center();
+  const Vec3 goal = rest.contains(middle) ? middle : Vec3(rest.center());
+  const Affine3 map{*by * Eigen::Matrix3d::Identity(), goal - *by * middle};
+  studio.session().edit(
+      "Scale " + object.name + " to the scene",
+      studio.with_objects_placed(studio.session().document(), {{object.node, moved(object.placement, map)}}));
+}
+
 }  // namespace
 
 QAction* MeshEditingTool::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                               const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work) {
   // The tool reports what it did, and that is recorded: elements stay the same where menus change.
   QAction* action = actions.add(
-      menu, name, text, keys, [this, work = std::move(work)] { mesh_.act(work); }, Recorded::ByItself);
+      menu, name, text, keys, [this, work = std::move(work)] { act(work); }, Recorded::ByItself);
   mesh_actions_ << action;
   return action;
 }
@@ -98,25 +163,23 @@ void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
 
 void MeshEditingTool::make_selection_actions(ActionList& actions, QMenu* menu) {
   QMenu* selection = menu->addMenu(tr("&Select"));
-  const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                       Verdict (MeshSelector::*work)()) {
-    this->add(actions, selection, name, text, keys, [work](MeshTool& tool) { return (tool.selection().*work)(); });
+  const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys, Reselect how) {
+    this->add(actions, selection, name, text, keys, [how](MeshTool& tool) { return tool.selection().reselect(how); });
   };
-  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, &MeshSelector::grow_selection);
-  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, &MeshSelector::shrink_selection);
-  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, &MeshSelector::invert_selection);
+  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, Reselect::Grow);
+  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, Reselect::Shrink);
+  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, Reselect::Invert);
   selection->addSeparator();
-  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, &MeshSelector::select_loop);
-  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, &MeshSelector::select_ring);
-  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, &MeshSelector::select_between);
-  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, &MeshSelector::select_connected);
-  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, &MeshSelector::select_chain);
-  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, &MeshSelector::select_tagged);
-  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, &MeshSelector::select_boundary);
+  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, Reselect::Loop);
+  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, Reselect::Ring);
+  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, Reselect::Between);
+  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, Reselect::Connected);
+  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, Reselect::Chain);
+  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, Reselect::Tagged);
+  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, Reselect::Boundary);
   selection->addSeparator();
-  QAction* through = actions.add(selection, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")}, [this] {
-    mesh_.tool().set_pick_through(host().action("select-through")->isChecked());
-  });
+  QAction* through = actions.add(selection, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")},
+                                 [this] { tool_.set_pick_through(host().action("select-through")->isChecked()); });
   through->setCheckable(true);
   mesh_actions_ << through;
 }
@@ -128,8 +191,8 @@ void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
     return verdict;
   });
   actions.add(menu, "loop-cut", tr("&Loop cut"), {QKeySequence("K")}, [this] {
-    mesh_.tool().arm_loop_cut(true);
-    mesh_.follow();
+    tool_.arm_loop_cut(true);
+    follow();
     emit state_changed();
   });
   mesh_actions_ << host().action("loop-cut");
@@ -145,7 +208,7 @@ void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
     if (const auto key = edit_keys.find(description.id); key != edit_keys.end()) keys << QKeySequence(key->second);
     QAction* action = actions.add(
         menu, QString::fromStdString("edit-" + description.id), QString::fromStdString(description.title), keys,
-        [this, id = description.id] { mesh_.act([&](MeshTool& tool) { return tool.edits().begin(id); }); },
+        [this, id = description.id] { act([&](MeshTool& tool) { return tool.edits().begin(id); }); },
         Recorded::ByItself);
     action->setToolTip(QString::fromStdString(description.sentence));
     edit_actions_.push_back({action, std::move(description)});
@@ -154,7 +217,7 @@ void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
 
 void MeshEditingTool::make_scale_actions(ActionList& actions, QMenu* menu) {
   actions.add(menu, "scale-to-scene", tr("Scale t&o the scene"), {}, [this] {
-    if (host().attempt([this] { scale_.apply(); })) host().viewport().frame_all();
+    if (host().attempt([this] { scale_to_scene(studio()); })) host().viewport().frame_all();
   });
   scale_offer_ = new QPushButton(&host().viewport());
   scale_offer_->setObjectName("scale-offer");
@@ -176,10 +239,10 @@ void MeshEditingTool::follow_scale() {
   const WorkObject* object = studio().active();
   const bool offered = object != nullptr && object->node == scale_offered_ &&
                        studio().session().undo_labels().size() == scale_offered_at_ && host().shows_views();
-  const QString sentence = offered ? scale_.sentence() : QString();
+  const QString sentence = offered ? scale_sentence(studio()) : QString();
   scale_offer_->setText(tr("%1: scale to the scene").arg(sentence));
   scale_offer_->setVisible(!sentence.isEmpty());
-  host().action("scale-to-scene")->setEnabled(scale_.factor().has_value());
+  host().action("scale-to-scene")->setEnabled(scale_factor(studio()).has_value());
 }
 
 void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {

@@ -9,12 +9,14 @@
 #include <algorithm>
 
 #include "app/panels/finding_elements.h"
-#include "app/studio/own_space.h"
-#include "app/tools/mesh/crease_set_panel.h"
-#include "app/tools/mesh/edit_panel.h"
-#include "app/tools/mesh/tag_panel.h"
+#include "app/replay/replays.h"
+#include "app/tools/mesh/mesh_panels.h"
+#include "app/views/own_space.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
+#include "croquis/render/sharpness_color.h"
+#include "croquis/tools/mesh/mesh_steps.h"
+#include "croquis/tools/recording/general_steps.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
@@ -32,37 +34,58 @@ const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Selec
                                                 {"scale", MeshHandles::Scale},
                                                 {"sharpen", MeshHandles::Sharpen}};
 
+/// The object of that name, else the one with such a node in its chain.
+const WorkObject& object_with_node(const Studio& studio, const std::string& name) {
+  for (const auto& node : studio.session().document().nodes()) {
+    const WorkObject* object = node->name == name ? studio.object(node->id) : nullptr;
+    if (object != nullptr && object->node != node->id && !object->begins_with_mesh) return *object;
+  }
+  return object_named(studio, name);
+}
+
+/// The colours of tagged edges with what they mean.
+Legend* make_sharpness_legend(QWidget* views) {
+  std::vector<Legend::Row> rows;
+  for (const render::SharpnessSample& sample : render::sharpness_legend()) {
+    const QPen pen(QColor(sample.color.r, sample.color.g, sample.color.b), render::sharpness_width(sample.sharpness),
+                   Qt::SolidLine, Qt::RoundCap);
+    rows.push_back({QString::fromStdString(sample.label), [pen](QPainter& painter, int y) {
+                      painter.setPen(pen);
+                      const double middle = y + Legend::row_height / 2.0;
+                      painter.drawLine(QPointF(10, middle), QPointF(32, middle));
+                    }});
+  }
+  return new Legend(views, "sharpness-legend", MeshEditingTool::tr("Sharpness"),
+                    MeshEditingTool::tr("Colours of tagged edges by sharpness"), std::move(rows));
+}
+
 }  // namespace
 
 MeshEditingTool::MeshEditingTool(ToolHost& host)
-    : Tool(host),
-      mesh_(host.studio(), host.viewport(), nullptr),
-      scale_(host.studio()),
-      legend_(new SharpnessLegend(&host.viewport())),
+    : Tool(host, "Meshes"),
+      tool_(host.studio()),
+      mover_(host.studio()),
+      legend_(make_sharpness_legend(&host.viewport())),
       value_(make_chip_label(host.viewport(), value_style)) {
   value_->setObjectName("edge-value");
-  connect(&mesh_, &MeshInteraction::changed, this, &Tool::changed);
-  connect(&mesh_, &MeshInteraction::committed, this, &Tool::committed);
-  connect(&mesh_, &MeshInteraction::committed, this, &MeshEditingTool::show_last_edit);
-  connect(&mesh_, &MeshInteraction::mode_changed, this, &Tool::state_changed);
-  connect(&mesh_, &MeshInteraction::told, this, &Tool::told);
+  connect(this, &Tool::committed, this, &MeshEditingTool::show_last_edit);
 }
 
 void MeshEditingTool::make_panels(PanelDocks& panels) {
   panels_ = &panels;
   for (const char* name : {"show-cage", "show-both", "show-smooth"}) {
     const QAction* view = host().action(name);
-    connect(view, &QAction::triggered, this, [this, view] { mesh_.hide_cage(view->objectName() == "show-smooth"); });
+    connect(view, &QAction::triggered, this, [this, view] { hide_cage(view->objectName() == "show-smooth"); });
   }
-  tags_ = new TagPanel(mesh_, nullptr);
-  sets_ = new CreaseSetPanel(mesh_, nullptr);
+  tags_ = new TagPanel(*this, nullptr);
+  sets_ = new CreaseSetPanel(*this, nullptr);
   edges_dock_ = panels.add_column(tr("Sharp edges"), tags_, "edges");
   sets_dock_ = panels.add(tr("Crease sets"), sets_, "sets");
   // Below the attributes, in one place.
   panels.split_below("attributes", edges_dock_);
   panels.tabify("edges", sets_dock_);
   edges_dock_->raise();
-  last_edit_ = new EditPanel(mesh_, nullptr);
+  last_edit_ = new EditPanel(*this, nullptr);
   last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
 }
 
@@ -77,21 +100,16 @@ bool MeshEditingTool::works_in(int view) const {
   return works() && (studio().has_cage() || !host().viewport().is_drawn_on(view));
 }
 
-void MeshEditingTool::take(const PointerEvent& event) {
-  if (event.action == PointerEvent::Action::Leave) return mesh_.leave();
-  mesh_.take(event);
-}
-
 void MeshEditingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   const auto handles = mesh_modes.find(mode);
-  studio().set_edits_elements(handles != mesh_modes.end() && mesh_.tool().selection().mode() != MeshMode::Object);
-  mesh_.set_handles(handles == mesh_modes.end() ? MeshHandles::Select : handles->second);
+  studio().set_edits_elements(handles != mesh_modes.end() && tool_.selection().mode() != MeshMode::Object);
+  set_handles(handles == mesh_modes.end() ? MeshHandles::Select : handles->second);
 }
 
 void MeshEditingTool::set_mesh_mode(MeshMode mode) {
   if (!mesh_modes.contains(this->mode())) host().set_mode(select_mode);
-  mesh_.set_mode(mode);
+  enter_mesh_mode(mode);
 }
 
 /// Elements of meshes, and the cage of a step that another tool's panels are about.
@@ -103,27 +121,16 @@ bool MeshEditingTool::open_step(const Node& step) {
   return has_elements;
 }
 
-QString MeshEditingTool::help() const {
-  const WorkObject* object = studio().active();
-  return mesh_.help(object == nullptr ? QString() : host().offer_for(*object));
-}
-
 // ---- Keys of the Edit menu
 
-bool MeshEditingTool::select_all() {
-  if (!picks_elements()) return false;
-  mesh_.act([](MeshTool& tool) { return tool.selection().select_all(); });
-  return true;
-}
-
-bool MeshEditingTool::select_none() {
-  mesh_.act([](MeshTool& tool) { return tool.selection().select_none(); });
-  return false;  // objects are deselected, too
-}
-
-bool MeshEditingTool::delete_selection() {
-  if (!picks_elements()) return false;
-  mesh_.act([](MeshTool& tool) { return tool.edits().delete_selected(); });
+bool MeshEditingTool::command(EditCommand command) {
+  if (command == EditCommand::SelectNone) {
+    act([](MeshTool& tool) { return tool.selection().select_none(); });
+    return false;  // objects are deselected, too
+  }
+  const bool selects = command == EditCommand::SelectAll;
+  if (!picks_elements() || !(selects || command == EditCommand::Delete)) return false;
+  act([=](MeshTool& tool) { return selects ? tool.selection().select_all() : tool.edits().delete_selected(); });
   return true;
 }
 
@@ -131,19 +138,18 @@ bool MeshEditingTool::has_selection() const { return !studio().session().compone
 
 bool MeshEditingTool::pick(ComponentKind kind, const std::vector<Index>& elements) {
   if (elements.empty()) return false;
-  mesh_.follow();
+  follow();
   set_mesh_mode(mode_of(kind));
-  mesh_.follow();
-  mesh_.act([&](MeshTool& tool) { return tool.selection().pick(kind, elements); });
+  follow();
+  act([&](MeshTool& tool) { return tool.selection().pick(kind, elements); });
   return true;
 }
 
 bool MeshEditingTool::show_finding(const NodeFinding& found) {
   studio().set_active(found.node);
-  mesh_.follow();
-  MeshTool& tool = mesh_.tool();
-  if (!tool.editable().mesh()) return false;
-  const FoundElements elements = elements_of(found.finding, *tool.editable().topology());
+  follow();
+  if (!tool_.editable().mesh()) return false;
+  const FoundElements elements = elements_of(found.finding, *tool_.editable().topology());
   if (!pick(elements.kind, elements.elements)) return false;
   host().viewport().frame_selection();
   return true;
@@ -153,22 +159,20 @@ bool MeshEditingTool::show_finding(const NodeFinding& found) {
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
   if (!picks_elements()) return;
-  wanted.edited = mesh_.tool().editable().node();
-  wanted.edited_cage = !mesh_.cage_hidden();
+  wanted.edited = tool_.editable().node();
+  wanted.edited_cage = !cage_hidden_;
 }
 
-void MeshEditingTool::add_to(render::Scene& scene, int view) { mesh_.add_to(scene, view, works_in(view)); }
-
 std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
-  if (mesh_.overlay().selection_bounds().empty()) return std::nullopt;
-  if (mesh_.picks_objects()) return std::nullopt;
-  const render::Bounds& bounds = mesh_.overlay().selection_bounds();
+  if (overlay_.selection_bounds().empty()) return std::nullopt;
+  if (picks_objects()) return std::nullopt;
+  const render::Bounds& bounds = overlay_.selection_bounds();
   return SelectionFrame{render::placed(bounds, matrix_of(studio().active()->placement.map())), std::nullopt, false};
 }
 
 void MeshEditingTool::place_chips(ChipPlaces& places) {
-  places.put_legend(*legend_, mesh_.overlay().shows_tags());
-  const auto& value = mesh_.hovered_value();
+  places.put_legend(*legend_, overlay_.shows_tags());
+  const auto& value = hovered_value_;
   if (!value) return value_->hide();
   value_->setText(value->text);
   value_->adjustSize();
@@ -190,7 +194,7 @@ void MeshEditingTool::refresh() {
   host().action("crease-set")->setShortcut(picks_elements() ? QKeySequence("Ctrl+G") : QKeySequence());
   // Picking elements begins the work on a computed mesh.
   for (const auto& [mode, action] : mode_actions_) action->setEnabled(object != nullptr && object->editable != 0);
-  const auto shown = mode_actions_.find(mesh_.tool().selection().mode());
+  const auto shown = mode_actions_.find(tool_.selection().mode());
   if (shown != mode_actions_.end()) shown->second->setChecked(true);
   const Tool* at_work = host().viewport().tool_in(PerspectiveView);
   const bool useful = mesh && (at_work == nullptr || at_work == this);
@@ -198,13 +202,56 @@ void MeshEditingTool::refresh() {
   for (const char* name : {"move", "rotate", "scale"}) host().action(name)->setEnabled(object != nullptr);
   host().action("sharpen")->setEnabled(mesh);
   tags_->follow(studio().session().components());
-  for (const auto& [action, edit] : edit_actions_)
-    action->setEnabled(mesh && mesh_.tool().edits().fits_selection(edit));
+  for (const auto& [action, edit] : edit_actions_) action->setEnabled(mesh && tool_.edits().fits_selection(edit));
   sets_->follow();
   show_last_edit();
   panels_->set_useful(edges_dock_, useful);
   panels_->set_useful(sets_dock_, useful);
   follow_scale();
+}
+
+// Recorded steps of work on meshes.
+
+/// Steps that need no view.
+template <class... Commands>
+void MeshEditingTool::replay_commands(Replays& replays) {
+  (replays.on<Commands>([this](const Commands& step) { replay_on_mesh(step.node, step); }), ...);
+}
+
+void MeshEditingTool::make_replays(Replays& replays) {
+  replays.on<recorded::ModelDrag>([this](const recorded::ModelDrag& drag) {
+    replay_drag(view_of(drag.view), drag.from, drag.to, modifiers_of(drag.modifiers), 1);
+  });
+  replays.on<recorded::Click>([this](const recorded::Click& click) {
+    if (click.place)
+      replay_drag(view_of(click.view), *click.place, *click.place, modifiers_of(click.modifiers), click.clicks);
+    return click.place.has_value();
+  });
+  replays.on<recorded::Box>([this](const recorded::Box& box) {
+    const bool is_in_space = box.from_place && box.to_place;
+    if (is_in_space) replay_drag(view_of(box.view), *box.from_place, *box.to_place, modifiers_of(box.modifiers), 1);
+    return is_in_space;
+  });
+  replay_commands<recorded::Pick, recorded::Move, recorded::Rotate, recorded::Scale, recorded::Tag, recorded::Pin,
+                  recorded::TagSet, recorded::Extrude, recorded::LoopCut, recorded::EditStep>(replays);
+}
+
+void MeshEditingTool::replay_on_mesh(const std::string& node, const recorded::Step& step) {
+  if (const auto* pick = step.as<recorded::Pick>()) {
+    const MeshMode mode = mode_of(kind_of_singular(pick->kind).value_or(ComponentKind::Edge));
+    if (tool_.selection().mode() != mode) set_mesh_mode(mode);
+  }
+  if (!node.empty()) studio().set_active(object_with_node(studio(), node).node);
+  if (const auto* edit = step.as<recorded::EditStep>(); edit != nullptr && studio().active()->cage == 0) {
+    set_mesh_mode(mode_of(edit->line.target.kind));  // begins the work on a computed mesh
+  }
+  follow();
+  const MeshMode before = tool_.selection().mode();
+  tool_.replay(step);
+  follow();
+  const MeshMode after = tool_.selection().mode();
+  if (after != before) enter_mesh_mode(after);  // the window's buttons follow
+  show_last_edit();
 }
 
 }  // namespace croquis::app

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/mesh/mesh_interaction.h"
+// What pen and mouse do to objects and elements, and what is drawn of that.
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/panels/number_box.h"
-#include "app/studio/own_space.h"
-#include "app/views/pick_box.h"
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/views/own_space.h"
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -30,7 +30,7 @@ QString sentence_of(const Findings& findings) {
 /// What a drag of a handle has done, as it stands at the pointer.
 QString motion_text(const ManipulatorMotion& motion, MeshHandles handles) {
   const auto all = [](const Vec3& vector) {
-    return MeshInteraction::tr("x %1  y %2  z %3")
+    return MeshEditingTool::tr("x %1  y %2  z %3")
         .arg(number_words(vector.x()), number_words(vector.y()), number_words(vector.z()));
   };
   if (handles == MeshHandles::Rotate) return number_words(motion.degrees) + QStringLiteral("°");
@@ -46,10 +46,7 @@ QString sharpness_text(double sharpness) {
 
 }  // namespace
 
-MeshInteraction::MeshInteraction(Studio& studio, Viewport& views, QObject* parent)
-    : QObject(parent), studio_(studio), views_(views), tool_(studio), mover_(studio) {}
-
-void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
+void MeshEditingTool::act(const std::function<Verdict(MeshTool&)>& work) {
   try {
     finish(work(tool_));
   } catch (const Error& error) {
@@ -58,49 +55,54 @@ void MeshInteraction::act(const std::function<Verdict(MeshTool&)>& work) {
   follow();
 }
 
-void MeshInteraction::finish(Verdict verdict) {
+void MeshEditingTool::finish(Verdict verdict) {
   if (verdict != Verdict::Commit) return;
   if (tool_.done()) emit committed(*tool_.done());
   emit told(sentence_of(tool_.notes()));
 }
 
-void MeshInteraction::hide_cage(bool hidden) {
+void MeshEditingTool::hide_cage(bool hidden) {
   cage_hidden_ = hidden && tool_.selection().mode() != MeshMode::Object;
   follow();
 }
 
-void MeshInteraction::set_mode(MeshMode mode) {
+void MeshEditingTool::enter_mesh_mode(MeshMode mode) {
   cage_hidden_ = false;
-  studio_.set_edits_elements(mode != MeshMode::Object);
+  studio().set_edits_elements(mode != MeshMode::Object);
   tool_.selection().set_mode(mode);
   follow();
-  emit mode_changed();
+  emit state_changed();
 }
 
-void MeshInteraction::set_handles(MeshHandles handles) {
+void MeshEditingTool::set_handles(MeshHandles handles) {
   tool_.set_handles(handles);
   mover_.set_kind(handles == MeshHandles::Move     ? ManipulatorKind::Move
                   : handles == MeshHandles::Rotate ? ManipulatorKind::Rotate
                   : handles == MeshHandles::Scale  ? ManipulatorKind::Scale
                                                    : ManipulatorKind::None);
   follow();
-  emit mode_changed();
+  emit state_changed();
 }
 
-void MeshInteraction::take(const PointerEvent& event) {
+void MeshEditingTool::take(const PointerEvent& event) {
+  if (event.action == PointerEvent::Action::Leave) return leave();
   for (const PenStep& step : pen_.handle(event)) feed(step);
   if (!pen_.down()) hover(event);
 }
 
-void MeshInteraction::leave() {
+void MeshEditingTool::leave() {
   hovered_value_.reset();
   const bool left_handle = mover_.leave();
   if (!tool_.leave() && !left_handle) return;
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
+  follow_hover();
   emit changed();
 }
 
-bool MeshInteraction::abandon() {
+void MeshEditingTool::follow_hover() {
+  overlay_.follow_hover(tool_, host().viewport().objects().cage_item(tool_.editable().node()));
+}
+
+bool MeshEditingTool::abandon() {
   if (pen_.down()) {
     for (const PenStep& step : pen_.cancel()) feed(step);
     return true;
@@ -112,11 +114,12 @@ bool MeshInteraction::abandon() {
 }
 
 /// Elements lie in the space of their object, objects in the model's.
-ViewFrame MeshInteraction::frame_in(int view) const {
-  return picks_objects() && !tool_.loop_cut_armed() ? views_.frame_of(view) : views_.own_frame_of(view);
+ViewFrame MeshEditingTool::frame_in(int view) const {
+  return picks_objects() && !tool_.loop_cut_armed() ? host().viewport().frame_of(view)
+                                                    : host().viewport().own_frame_of(view);
 }
 
-void MeshInteraction::feed(const PenStep& step) {
+void MeshEditingTool::feed(const PenStep& step) {
   MeshEvent event;
   event.kind = step.kind;
   event.pixel = step.sample.position;
@@ -126,7 +129,7 @@ void MeshInteraction::feed(const PenStep& step) {
   feed(event, step.view);
 }
 
-void MeshInteraction::feed(const MeshEvent& event, int view) {
+void MeshEditingTool::feed(const MeshEvent& event, int view) {
   gesture_view_ = view;
   try {
     finish(tool_.handle(event));
@@ -137,11 +140,11 @@ void MeshInteraction::feed(const MeshEvent& event, int view) {
   if (object_press_ || (left_to_us && event.kind == PenStep::Kind::Begin)) feed_object(event, view);
   hovered_value_.reset();
   if (motion() != nullptr) hovered_value_ = {view, event.pixel, motion_text(*motion(), tool_.handles())};
-  overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
+  follow_hover();
   emit changed();
 }
 
-void MeshInteraction::feed_object(const MeshEvent& event, int view) {
+void MeshEditingTool::feed_object(const MeshEvent& event, int view) {
   if (event.kind == PenStep::Kind::Begin) object_press_ = event.pixel;
   const bool was_moving = mover_.active();
   if (was_moving || event.kind == PenStep::Kind::Begin) {
@@ -158,9 +161,9 @@ void MeshInteraction::feed_object(const MeshEvent& event, int view) {
       break;
     case PenStep::Kind::End: {
       if (object_box_) {
-        choose_objects(ObjectPicker::in_box(studio_.objects(), event.frame, *object_box_), event.modifiers);
+        choose_objects(ObjectPicker::in_box(studio().objects(), event.frame, *object_box_), event.modifiers);
       } else {
-        const ObjectPicker::Hit hit = objects_.at(studio_.objects(), event.frame, event.pixel);
+        const ObjectPicker::Hit hit = objects_.at(studio().objects(), event.frame, event.pixel);
         choose_objects(hit.node == 0 ? std::vector<NodeId>{} : std::vector<NodeId>{hit.node}, event.modifiers);
         recorded::Click click;
         click.view = view_names.at(static_cast<std::size_t>(view));
@@ -179,23 +182,23 @@ void MeshInteraction::feed_object(const MeshEvent& event, int view) {
 }
 
 /// As clicks on elements do: plain replaces, Shift toggles, Ctrl takes away, both add.
-void MeshInteraction::choose_objects(std::vector<NodeId> nodes, const Modifiers& modifiers) {
-  nodes = studio_.with_groups(nodes);
-  Selection selection = modifiers.shift || modifiers.ctrl ? studio_.session().selection() : Selection();
+void MeshEditingTool::choose_objects(std::vector<NodeId> nodes, const Modifiers& modifiers) {
+  nodes = studio().with_groups(nodes);
+  Selection selection = modifiers.shift || modifiers.ctrl ? studio().session().selection() : Selection();
   for (const NodeId node : nodes) {
     const auto is_it = [&](const SelectedItem& item) {
-      const WorkObject* object = item.part.empty() ? studio_.object(item.node) : nullptr;
+      const WorkObject* object = item.part.empty() ? studio().object(item.node) : nullptr;
       return object != nullptr && object->node == node;
     };
     const bool was_picked = std::erase_if(selection, is_it) > 0;
     const bool stays = modifiers.ctrl ? modifiers.shift : !was_picked || !modifiers.shift;
     if (stays) selection.push_back({node, ""});
   }
-  if (!nodes.empty() && !modifiers.ctrl) studio_.set_active(nodes.front());
-  studio_.session().select(std::move(selection));
+  if (!nodes.empty() && !modifiers.ctrl) studio().set_active(nodes.front());
+  studio().session().select(std::move(selection));
 }
 
-void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const Modifiers& modifiers, int clicks) {
+void MeshEditingTool::replay_drag(int view, const Vec3& from, const Vec3& to, const Modifiers& modifiers, int clicks) {
   MeshEvent event;
   event.frame = frame_in(view);
   event.modifiers = modifiers;
@@ -219,25 +222,26 @@ void MeshInteraction::replay(int view, const Vec3& from, const Vec3& to, const M
   }
 }
 
-const ManipulatorMotion* MeshInteraction::motion() const {
+const ManipulatorMotion* MeshEditingTool::motion() const {
   const auto& of_elements = tool_.preview().motion;
   return of_elements ? &*of_elements : mover_.motion();
 }
 
-void MeshInteraction::hover(const PointerEvent& event) {
+void MeshEditingTool::hover(const PointerEvent& event) {
   hovered_value_.reset();
-  if (event.action == PointerEvent::Action::Leave) return leave();
   gesture_view_ = event.view;
   const bool on_handle = picks_objects() && mover_.hover(event.position, frame_in(event.view));
   const bool moved = tool_.hover(event.position, frame_in(event.view));
   if (tool_.preview().hovered_sharpness) {
     hovered_value_ = {event.view, event.position, sharpness_text(*tool_.preview().hovered_sharpness)};
   }
-  if (moved) overlay_.follow_hover(tool_, views_.objects().cage_item(tool_.editable().node()));
+  if (moved) follow_hover();
   if (moved || on_handle || hovered_value_) emit changed();
 }
 
-QString MeshInteraction::help(const QString& offer) const {
+QString MeshEditingTool::help() const {
+  const WorkObject* object = studio().active();
+  const QString offer = object == nullptr ? QString() : host().offer_for(*object);
   const MeshPreview& preview = tool_.preview();
   if (motion() != nullptr)
     return tr("%1 · Ctrl at the beginning snaps · Escape gives it up").arg(motion_text(*motion(), tool_.handles()));
@@ -247,7 +251,7 @@ QString MeshInteraction::help(const QString& offer) const {
         .arg(*preview.sharpness_change, 0, 'f', 2);
   }
   if (tool_.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
-  const bool selected = !studio_.session().components().empty();
+  const bool selected = !studio().session().components().empty();
   switch (tool_.selection().mode()) {
     case MeshMode::Object:
       if (!offer.isEmpty()) return offer;
@@ -267,24 +271,26 @@ QString MeshInteraction::help(const QString& offer) const {
   return {};
 }
 
-void MeshInteraction::follow() {
-  const WorkObject* object = studio_.active();
+void MeshEditingTool::follow() {
+  const WorkObject* object = studio().active();
   const NodeId cage = object == nullptr ? 0 : object->cage;
   if (tool_.editable().node() != cage && !tool_.active()) tool_.set_node(cage);
-  overlay_.follow(tool_, studio_.session().components(), object, views_.objects().cage_item(cage), !cage_hidden_);
+  overlay_.follow(tool_, studio().session().components(), object, host().viewport().objects().cage_item(cage),
+                  !cage_hidden_);
   emit changed();
 }
 
-void MeshInteraction::add_to(render::Scene& scene, int view, bool with_handles) {
-  const WorkObject* object = studio_.active();
-  const ViewFrame own_frame = views_.own_frame_of(view);
+void MeshEditingTool::add_to(render::Scene& scene, int view) {
+  const bool with_handles = works_in(view);
+  const WorkObject* object = studio().active();
+  const ViewFrame own_frame = host().viewport().own_frame_of(view);
   {
     const PlacedPart own(scene, object == nullptr ? Affine3() : object->placement.map());
     overlay_.add_to(scene, view != ComparisonView);
     if (with_handles) add_handles(tool_.manipulator_picture(own_frame), scene);
   }
   if (!with_handles) return;
-  const ViewFrame frame = views_.frame_of(view);
+  const ViewFrame frame = host().viewport().frame_of(view);
   if (picks_objects()) add_handles(mover_.manipulator_picture(frame), scene);
   const std::optional<PickBox>& box = object_box_ ? object_box_ : tool_.preview().box;
   if (box && view == gesture_view_) add_box(*box, frame, scene);

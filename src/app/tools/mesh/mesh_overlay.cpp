@@ -20,8 +20,6 @@ constexpr float casing_width = 1.3F;
 constexpr float hovered_width = 4.5F;
 constexpr std::uint8_t covered_alpha = 80;  // of lines behind the surface
 
-glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
-
 std::vector<render::StyledEdge> styled(const MeshTopology& topology, std::span<const Index> chosen,
                                        const render::Color& color, float width) {
   std::vector<render::StyledEdge> edges;

@@ -1,14 +1,219 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/perspective/perspective_chips.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
 #include <utility>
 
-#include "app/tools/perspective/solid_state.h"
+#include "app/panels/finding_elements.h"
+#include "app/views/render_color.h"
+#include "app/window/theme.h"
+#include "croquis/tools/perspective/drawing_edit.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr int curve_parts = 16;
+constexpr double hatch_share = 0.012;  // between lines, of the picture's diagonal
+constexpr double outline_width = 3, hatch_width = 1.4, removed_width = 2;
+
+using Loop = std::vector<Vec3>;
+
+std::set<std::string> strokes_of_face(const PerspectiveFace& face) {
+  std::set<std::string> strokes;
+  for (const std::vector<std::string>& loop : face.strokes) strokes.insert(loop.begin(), loop.end());
+  return strokes;
+}
+
+std::vector<PerspectiveFace> without(const std::vector<PerspectiveFace>& faces,
+                                     const std::vector<PerspectiveFace>& others) {
+  std::set<std::set<std::string>> known;
+  for (const PerspectiveFace& face : others) known.insert(strokes_of_face(face));
+  std::vector<PerspectiveFace> left;
+  for (const PerspectiveFace& face : faces) {
+    if (!known.contains(strokes_of_face(face))) left.push_back(face);
+  }
+  return left;
+}
+
+/// The curves of a loop, one after the other.
+std::optional<Loop> traced_loop(const CurveNetwork& network, const std::vector<std::string>& strokes) {
+  std::vector<const NetworkCurve*> curves;
+  for (const std::string& id : strokes) {
+    const auto found = std::ranges::find(network.curves, id, &NetworkCurve::id);
+    if (found == network.curves.end()) return std::nullopt;
+    curves.push_back(&*found);
+  }
+  Loop loop;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const NetworkCurve &curve = *curves[i], &next = *curves[(i + 1) % curves.size()];
+    const bool ahead = curve.end == next.start || curve.end == next.end;
+    Loop places;
+    for (const RationalCubic& piece : curve.pieces) {
+      for (int k = 0; k < curve_parts; ++k) places.push_back(piece.at(static_cast<double>(k) / curve_parts));
+    }
+    places.push_back(curve.pieces.back().at(1));
+    if (!ahead) std::ranges::reverse(places);
+    loop.insert(loop.end(), places.begin(), places.end() - 1);
+  }
+  return loop;
+}
+
+struct Plane {
+  Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
+};
+
+/// Newell's normal through the mean of the places.
+Plane plane_of(const Loop& loop) {
+  Plane plane;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    plane.middle += loop[i] / static_cast<double>(loop.size());
+    plane.normal += loop[i].cross(loop[(i + 1) % loop.size()]);
+  }
+  return plane;
+}
+
+/// Where the loops cross the line on which `across` has that value, by their places along it.
+std::vector<double> crossings(const std::vector<std::vector<Vec2>>& loops, const Vec2& along, const Vec2& across,
+                              double value) {
+  std::vector<double> places;
+  for (const std::vector<Vec2>& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      const double from = across.dot(a) - value, to = across.dot(b) - value;
+      if ((from < 0) == (to < 0)) continue;
+      places.push_back(along.dot(a + from / (from - to) * (b - a)));
+    }
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+/// Lines across a face, equally far from each other in the picture.
+std::vector<render::LinePath> hatch_of(const Camera& camera, const std::vector<Loop>& loops, const FromSpace& place) {
+  std::vector<render::LinePath> lines;
+  const Plane plane = plane_of(loops.front());
+  std::vector<std::vector<Vec2>> seen;
+  for (const Loop& loop : loops) {
+    seen.emplace_back();
+    for (const Vec3& point : loop) seen.back().push_back(camera.project(point));
+  }
+  const Vec2 along = Vec2(1, -1).normalized(), across = Vec2(1, 1).normalized();
+  const auto [low, high] = std::ranges::minmax(seen.front(), {}, [&](const Vec2& point) { return across.dot(point); });
+  const double step = hatch_share * camera.image_size.norm();
+  if (!(step > 0)) return lines;
+  const auto lifted = [&](const Vec2& point) {
+    const Vec3 ray = camera.ray(point);
+    return Vec3(camera.eye + plane.normal.dot(plane.middle - camera.eye) / plane.normal.dot(ray) * ray);
+  };
+  for (double value = across.dot(low) + step / 2; value < across.dot(high); value += step) {
+    const std::vector<double> ends = crossings(seen, along, across, value);
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+      const Vec3 from = lifted(ends[i] * along + value * across), to = lifted(ends[i + 1] * along + value * across);
+      if (!from.allFinite() || !to.allFinite()) continue;
+      lines.emplace_back();
+      lines.back().points = {{place(from), 1, {}}, {place(to), 1, {}}};
+    }
+  }
+  return lines;
+}
+
+render::LinePath outline_of(const Loop& loop, const FromSpace& place) {
+  render::LinePath path;
+  path.closed = true;
+  for (const Vec3& point : loop) path.points.push_back({place(point), 1, {}});
+  return path;
+}
+
+void add_item(const std::vector<render::LinePath>& paths, const render::LineStyle& style,
+              std::vector<render::LineItemPtr>& items) {
+  if (!paths.empty()) items.push_back(render::make_line_item(paths, style));
+}
+
+constexpr double alternatives_top = 42;  // logical pixels, below the chip that counts faces
+constexpr double between_alternatives = 6;
+constexpr const char* alternative_style =
+    "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px; padding: 2px 9px }"
+    "QToolButton:hover { background: #dbe8fb; border: 1px solid #3a6fc4 }";
+
+QString faces_text(std::size_t count) {
+  return count == 1 ? QObject::tr("1 face") : QObject::tr("%1 faces").arg(count);
+}
+
+/// Of all findings with that code.
+std::vector<std::string> strokes_with(const Findings& findings, const std::string& code) {
+  std::vector<std::string> strokes;
+  for (const Finding& finding : findings) {
+    if (finding.code != code) continue;
+    for (std::string& id : strokes_of(finding)) strokes.push_back(std::move(id));
+  }
+  return strokes;
+}
+
+int count_of(const Findings& findings, const std::string& code) {
+  return static_cast<int>(std::ranges::count(findings, code, &Finding::code));
+}
+
+/// Edges that bound no face, and of which the result knows.
+std::vector<std::string> unused_edges(const PerspectiveDrawing& drawing, const PerspectiveResult& result) {
+  std::set<std::string> used;
+  for (const PerspectiveFace& face : result.faces) {
+    for (const std::vector<std::string>& loop : face.strokes) used.insert(loop.begin(), loop.end());
+  }
+  std::vector<std::string> unused;
+  for (const PerspectiveStrokeResult& one : result.strokes) {
+    const PerspectiveStroke* stroke = find_stroke(drawing, one.id);
+    if (stroke != nullptr && stroke->role == StrokeRole::Edge && !used.contains(one.id)) unused.push_back(one.id);
+  }
+  return unused;
+}
+
+SolidState state_of_open(const PerspectiveDrawing& drawing, const PerspectiveResult& result) {
+  std::vector<std::string> open = unused_edges(drawing, result);
+  for (const std::string& id : result.open_strokes) {
+    if (std::ranges::find(open, id) == open.end()) open.push_back(id);
+  }
+  if (result.faces.empty()) {
+    const QString edges =
+        result.edge_strokes == 1 ? QObject::tr("1 edge") : QObject::tr("%1 edges").arg(result.edge_strokes);
+    return {edges + QObject::tr(", no face yet"), false, open};
+  }
+  const QString lacking =
+      open.size() == 1 ? QObject::tr("1 edge lacks a face") : QObject::tr("%1 edges lack a face").arg(open.size());
+  return {faces_text(result.faces.size()) + ", " + lacking, false, open};
+}
+
+/// What is wrong with a solid that is closed, the worst first; nothing: an empty sentence.
+SolidState doubt_about(const PerspectiveDrawing& drawing, const PerspectiveResult& result, const Findings& findings) {
+  if (const int bent = count_of(findings, "NONPLANAR_STRAIGHT_FACE"); bent > 0) {
+    return {bent == 1 ? QObject::tr("Closed, but one face is bent: a stroke is probably missing")
+                      : QObject::tr("Closed, but %1 faces are bent: strokes are probably missing").arg(bent),
+            false, strokes_with(findings, "NONPLANAR_STRAIGHT_FACE")};
+  }
+  if (count_of(findings, "MISSING_STROKE") > 0)
+    return {QObject::tr("Closed, but a stroke is missing at a corner"), false,
+            strokes_with(findings, "MISSING_STROKE")};
+  if (count_of(findings, "PATCH_FOLDED") > 0)
+    return {QObject::tr("Closed, but a face is folded"), false, strokes_with(findings, "PATCH_FOLDED")};
+  const std::vector<std::string> contrary = strokes_with(findings, "CONTRADICTION");
+  if (contrary.size() == 1) return {QObject::tr("Closed, but one stroke contradicts the others"), false, contrary};
+  if (!contrary.empty())
+    return {QObject::tr("Closed, but %1 strokes contradict the others").arg(contrary.size()), false, contrary};
+  if (const std::vector<std::string> left = unused_edges(drawing, result); !left.empty()) {
+    return {left.size() == 1 ? QObject::tr("Closed, but one edge is left out")
+                             : QObject::tr("Closed, but %1 edges are left out").arg(left.size()),
+            false, left};
+  }
+  if (count_of(findings, "DISCONNECTED") > 0)
+    return {QObject::tr("Closed, but nothing ties its parts together"), false, strokes_with(findings, "DISCONNECTED")};
+  if (!result.alternatives.empty())
+    return {QObject::tr("Closed, but other faces fit as well"), false, strokes_with(findings, "AMBIGUOUS")};
+  return {};
+}
 
 constexpr double chip_margin = 10;  // logical pixels
 constexpr double hint_width = 620;
@@ -40,70 +245,158 @@ QString on_two_lines(QString sentence) {
 
 }  // namespace
 
+FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternative& alternative) {
+  return {without(alternative.faces, result.faces), without(result.faces, alternative.faces)};
+}
+
+std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces) {
+  std::vector<std::string> names;
+  for (const PerspectiveFace& face : faces) {
+    std::string name;
+    for (const std::string& stroke : strokes_of_face(face)) name += (name.empty() ? "" : "+") + stroke;
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::vector<render::LineItemPtr> difference_items(const PerspectiveResult& result, const FaceDifference& difference,
+                                                  const FromSpace& place) {
+  std::vector<render::LinePath> added, hatched, removed;
+  const auto loops_of = [&](const PerspectiveFace& face) {
+    std::vector<Loop> loops;
+    for (const std::vector<std::string>& strokes : face.strokes) {
+      if (auto loop = traced_loop(result.network, strokes)) loops.push_back(std::move(*loop));
+    }
+    return loops;
+  };
+  for (const PerspectiveFace& face : difference.added) {
+    const std::vector<Loop> loops = loops_of(face);
+    for (const Loop& loop : loops) added.push_back(outline_of(loop, place));
+    if (loops.empty()) continue;
+    for (render::LinePath& line : hatch_of(result.camera, loops, place)) hatched.push_back(std::move(line));
+  }
+  for (const PerspectiveFace& face : difference.removed) {
+    for (const Loop& loop : loops_of(face)) removed.push_back(outline_of(loop, place));
+  }
+  std::vector<render::LineItemPtr> items;
+  add_item(removed, {removed_width, to_color(colors::error), {6, 5, 0, 0}, render::LineDepth::OnTop}, items);
+  add_item(hatched, {hatch_width, to_color(colors::hover, 200), {}, render::LineDepth::OnTop}, items);
+  add_item(added, {outline_width, to_color(colors::hover), {}, render::LineDepth::OnTop}, items);
+  return items;
+}
+
+AlternativeChips::AlternativeChips(QWidget* views) : QObject(views), views_(views) {}
+
+void AlternativeChips::make_button() {
+  const std::size_t number = buttons_.size();
+  auto* button = new QToolButton(views_);
+  button->setObjectName(QString("perspective-alternative-%1").arg(number + 1));
+  button->setText(number == 0 ? tr("Other faces 1") : QString::number(number + 1));
+  button->setToolTip(tr("These faces fit as well: the hatched ones instead of the dashed ones"));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setStyleSheet(alternative_style);
+  button->installEventFilter(this);
+  connect(button, &QToolButton::clicked, this, [this, number] {
+    set_hovered(std::nullopt);
+    emit wanted(number);
+  });
+  buttons_.push_back(button);
+}
+
+void AlternativeChips::place(ChipPlaces& places, const ViewPane& pane, std::size_t count) {
+  while (buttons_.size() < count) make_button();
+  double width = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    buttons_[i]->adjustSize();
+    width += buttons_[i]->width() + between_alternatives;
+  }
+  double left = pane.rect.center().x() - width / 2;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    if (i >= count) {
+      buttons_[i]->hide();
+      continue;
+    }
+    places.put(*buttons_[i], QPointF(left, pane.rect.top() + alternatives_top), pane.rect);
+    left += buttons_[i]->width() + between_alternatives;
+  }
+  if (hovered_ && *hovered_ >= count) set_hovered(std::nullopt);
+}
+
+void AlternativeChips::hide() {
+  for (QToolButton* button : buttons_) button->hide();
+  set_hovered(std::nullopt);
+}
+
+void AlternativeChips::set_hovered(std::optional<std::size_t> alternative) {
+  if (hovered_ == alternative) return;
+  hovered_ = alternative;
+  emit hovered_changed();
+}
+
+bool AlternativeChips::eventFilter(QObject* button, QEvent* event) {
+  const auto found = std::ranges::find(buttons_, button);
+  if (found != buttons_.end() && event->type() == QEvent::Enter)
+    set_hovered(static_cast<std::size_t>(found - buttons_.begin()));
+  if (found != buttons_.end() && event->type() == QEvent::Leave) set_hovered(std::nullopt);
+  return QObject::eventFilter(button, event);
+}
+
+SolidState solid_state(const PerspectiveDrawing& drawing, const PerspectiveResult& result, const Findings& findings) {
+  if (result.edge_strokes == 0) return {};
+  if (!result.closed) return state_of_open(drawing, result);
+  if (SolidState doubt = doubt_about(drawing, result, findings); !doubt.sentence.isEmpty()) return doubt;
+  if (result.shells > 1) return {QObject::tr("Solid closed, %1 shells").arg(result.shells), true, {}};
+  return {QObject::tr("Solid closed"), true, {}};
+}
+
+bool is_of_unfinished(const Finding& finding) {
+  constexpr std::array codes{"DANGLING", "NOT_CLOSED", "DISCONNECTED"};
+  return std::ranges::find(codes, finding.code) != codes.end();
+}
+
 PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
     : QObject(views),
       sheet_(sheet),
-      views_(views),
       alternatives_(views),
-      hint_(make_chip_label(*views, sheet_hint_style)),
-      faces_(make_button("perspective-faces")),
-      fix_(make_button("perspective-fix-chip")),
-      mirror_(make_button("perspective-mirror-chip")),
-      through_(make_button("look-through-chip")) {
-  hint_->setObjectName("perspective-hint");
+      chips_(*views),
+      hint_(chips_.label("perspective-hint", sheet_hint_style)),
+      faces_(chips_.button("perspective-faces", sheet_button_style, [this] { emit strokes_wanted(faces_strokes_); })),
+      fix_(chips_.button("perspective-fix-chip", sheet_button_style, [this] { emit fix_wanted(); })),
+      mirror_(chips_.button("perspective-mirror-chip", sheet_button_style, [this] { emit mirror_wanted(); })),
+      through_(chips_.button("look-through-chip", sheet_button_style,
+                             [this] { emit look_through_wanted(through_->isChecked()); })) {
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
   through_->setCheckable(true);
-  connect(faces_, &QToolButton::clicked, this, [this] { emit strokes_wanted(faces_strokes_); });
-  connect(fix_, &QToolButton::clicked, this, &PerspectiveChips::fix_wanted);
-  connect(mirror_, &QToolButton::clicked, this, &PerspectiveChips::mirror_wanted);
-  connect(through_, &QToolButton::clicked, this, &PerspectiveChips::look_through_wanted);
 }
 
-QToolButton* PerspectiveChips::make_button(const QString& name) {
-  auto* button = new QToolButton(views_);
-  button->setObjectName(name);
-  button->setFocusPolicy(Qt::NoFocus);
-  button->setStyleSheet(sheet_button_style);
-  button->hide();
-  return button;
-}
-
-void PerspectiveChips::put(ChipPlaces& places, QWidget& chip, const QPointF& at, const ViewPane& pane) {
-  places.put(chip, at, pane.rect);
-  placed_.push_back(&chip);
-}
-
-/// Chips that stay are never hidden meanwhile: a button would forget that it is pressed.
 void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
-  placed_.clear();
+  chips_.begin(places);
   const ViewPane& pane = places.layout().pane(SketchView);
   const PerspectiveResult* result = sheet_.result();
   if (shown && pane.visible()) {
-    place_hint(places, pane);
-    place_faces(places, pane);
+    place_hint(pane.rect);
+    place_faces(pane.rect);
     alternatives_.place(places, pane, result == nullptr ? 0 : result->alternatives.size());
-    place_fix(places, pane);
-    place_mirror(places, pane);
+    place_fix(pane);
+    place_mirror(pane.rect);
   } else {
     alternatives_.hide();
   }
-  if (shown) place_through(places, through);
-  for (QWidget* chip : std::initializer_list<QWidget*>{hint_, faces_, fix_, mirror_, through_}) {
-    if (std::ranges::find(placed_, chip) == placed_.end()) chip->hide();
-  }
+  if (shown) place_through(places.layout().pane(PerspectiveView), through);
+  chips_.end();
 }
 
 /// What to draw first, as long as there is no camera.
-void PerspectiveChips::place_hint(ChipPlaces& places, const ViewPane& pane) {
+void PerspectiveChips::place_hint(const QRectF& rect) {
   if (sheet_.result() != nullptr && !sheet_.drawing().strokes.empty()) return;
   hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
-  const int width = static_cast<int>(std::min(pane.rect.width() - 2 * chip_margin, hint_width));
+  const int width = static_cast<int>(std::min(rect.width() - 2 * chip_margin, hint_width));
   hint_->setFixedSize(width, hint_->heightForWidth(width));
-  put(places, *hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - 60), pane);
+  chips_.put(*hint_, QPointF(rect.center().x() - hint_->width() / 2.0, rect.bottom() - 60), rect);
 }
 
-void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
+void PerspectiveChips::place_faces(const QRectF& rect) {
   const PerspectiveResult* result = sheet_.result();
   if (result == nullptr || result->edge_strokes == 0) return;
   SolidState state = solid_state(sheet_.drawing(), *result, sheet_.findings());
@@ -113,14 +406,11 @@ void PerspectiveChips::place_faces(ChipPlaces& places, const ViewPane& pane) {
   faces_->setToolTip(state.strokes.empty() ? QString() : tr("Click to see the strokes"));
   faces_strokes_ = std::move(state.strokes);
   faces_->adjustSize();
-  if (faces_->width() > pane.rect.width() - 2 * chip_margin) {
-    faces_->setText(on_two_lines(state.sentence));
-    faces_->adjustSize();
-  }
-  put(places, *faces_, QPointF(pane.rect.center().x() - faces_->width() / 2.0, pane.rect.top() + chip_margin), pane);
+  if (faces_->width() > rect.width() - 2 * chip_margin) faces_->setText(on_two_lines(state.sentence));
+  chips_.put_in_middle(*faces_, rect.top() + chip_margin, rect);
 }
 
-void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
+void PerspectiveChips::place_fix(const ViewPane& pane) {
   const PerspectiveResult* result = sheet_.result();
   if (result == nullptr || result->fixes.empty()) return;
   const ProposedFix& fix = result->fixes.front();
@@ -130,26 +420,22 @@ void PerspectiveChips::place_fix(ChipPlaces& places, const ViewPane& pane) {
   fix_->setToolTip(QString::fromStdString(fix.text));
   fix_->setAccessibleName(fix_->toolTip());
   fix_->adjustSize();
-  put(places, *fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane);
+  chips_.put(*fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);
 }
 
-void PerspectiveChips::place_mirror(ChipPlaces& places, const ViewPane& pane) {
+void PerspectiveChips::place_mirror(const QRectF& rect) {
   if (!sheet_.proposal()) return;
   const auto count = static_cast<int>(sheet_.proposal()->strokes.size());
   mirror_->setText(count == 1 ? tr("Add 1 mirrored stroke (Enter)") : tr("Add %1 mirrored strokes (Enter)").arg(count));
-  mirror_->adjustSize();
-  put(places, *mirror_, QPointF(pane.rect.center().x() - mirror_->width() / 2.0, pane.rect.bottom() - 40), pane);
+  chips_.put_in_middle(*mirror_, rect.bottom() - 40, rect);
 }
 
-void PerspectiveChips::place_through(ChipPlaces& places, bool through) {
-  const ViewPane& pane = places.layout().pane(PerspectiveView);
+void PerspectiveChips::place_through(const ViewPane& pane, bool through) {
   if (sheet_.result() == nullptr || !pane.visible()) return;
   through_->setText(tr("Look through"));
   through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
   through_->setChecked(through);
-  through_->adjustSize();
-  put(places, *through_, QPointF(pane.rect.center().x() - through_->width() / 2.0, pane.rect.top() + chip_margin),
-      pane);
+  chips_.put_in_middle(*through_, pane.rect.top() + chip_margin, pane.rect);
 }
 
 }  // namespace croquis::app

@@ -2,16 +2,86 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <QToolButton>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "app/tools/perspective/alternative_chips.h"
 #include "app/tools/perspective/sheet_interaction.h"
-#include "app/views/chip_places.h"
+#include "app/views/view_chips.h"
+#include "croquis/base/finding.h"
+#include "croquis/operators/perspective_result.h"
+#include "croquis/render/line_item.h"
 
-class QAction;
 class QLabel;
 
 namespace croquis::app {
+
+// Sets of faces that would close a solid, too: how each differs from the one that is shown.
+
+struct FaceDifference {
+  std::vector<PerspectiveFace> added;    ///< in the other set alone
+  std::vector<PerspectiveFace> removed;  ///< in the one shown alone
+};
+
+FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternative& alternative);
+
+/// "s1+s2+s3": as the operation's lists name faces.
+std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces);
+
+/// Where a place in the drawing's space lies in a view.
+using FromSpace = std::function<glm::dvec3(const Vec3&)>;
+
+/// Hatched, over all else: what is added in blue, what is removed as a dashed red outline.
+std::vector<render::LineItemPtr> difference_items(const PerspectiveResult& result, const FaceDifference& difference,
+                                                  const FromSpace& place);
+
+/// A button for each other set of faces that fits a drawing as well: under the pointer it is shown, clicked it is
+/// taken.
+class AlternativeChips : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit AlternativeChips(QWidget* views);
+
+  /// @param count of other sets, 0: none
+  void place(ChipPlaces& places, const ViewPane& pane, std::size_t count);
+  void hide();
+
+  /// Of the one under the pointer.
+  const std::optional<std::size_t>& hovered() const { return hovered_; }
+
+ signals:
+  void hovered_changed();
+  void wanted(std::size_t alternative);
+
+ protected:
+  bool eventFilter(QObject* button, QEvent* event) override;
+
+ private:
+  void make_button();
+  void set_hovered(std::optional<std::size_t> alternative);
+
+  QWidget* views_;
+  std::vector<QToolButton*> buttons_;
+  std::optional<std::size_t> hovered_;
+};
+
+/// How far a drawing is a solid, in one sentence.
+struct SolidState {
+  QString sentence;                  ///< "2 faces, 5 edges lack a face", "Solid closed"; empty without edges
+  bool sound = false;                ///< closed, and nothing that was drawn is doubtful or left out
+  std::vector<std::string> strokes;  ///< to look at: those that the sentence is about
+};
+
+/// @param drawing that the result was found in, or a newer one
+SolidState solid_state(const PerspectiveDrawing& drawing, const PerspectiveResult& result, const Findings& findings);
+
+/// What any unfinished drawing has: ends that lead nowhere, edges without a face, parts that nothing ties together.
+/// Worth a small mark while somebody draws, but no warning sign.
+bool is_of_unfinished(const Finding& finding);
 
 /// What stands over the views of a perspective drawing: how far it is a solid, the change that is proposed, the mirror,
 /// and the way back to the drawing's eye.
@@ -35,18 +105,15 @@ class PerspectiveChips : public QObject {
   void strokes_wanted(const std::vector<std::string>& strokes);  ///< selected, and looked at
 
  private:
-  QToolButton* make_button(const QString& name);
-  void put(ChipPlaces& places, QWidget& chip, const QPointF& at, const ViewPane& pane);
-  void place_hint(ChipPlaces& places, const ViewPane& pane);
-  void place_faces(ChipPlaces& places, const ViewPane& pane);
-  void place_fix(ChipPlaces& places, const ViewPane& pane);
-  void place_mirror(ChipPlaces& places, const ViewPane& pane);
-  void place_through(ChipPlaces& places, bool through);
+  void place_hint(const QRectF& rect);
+  void place_faces(const QRectF& rect);
+  void place_fix(const ViewPane& pane);
+  void place_mirror(const QRectF& rect);
+  void place_through(const ViewPane& pane, bool through);
 
   SheetInteraction& sheet_;
-  QWidget* views_;
   AlternativeChips alternatives_;
-  std::vector<QWidget*> placed_;  ///< this time
+  ChipSet chips_;
   QLabel* hint_;
   QToolButton* faces_;
   std::vector<std::string> faces_strokes_;  ///< that its sentence is about

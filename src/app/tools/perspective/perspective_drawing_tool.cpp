@@ -3,20 +3,27 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QScrollArea>
 #include <algorithm>
 #include <utility>
 
 #include "app/panels/finding_elements.h"
+#include "app/replay/replays.h"
 #include "app/tools/perspective/perspective_panel.h"
-#include "app/tools/perspective/solid_state.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
+#include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr int entry_width = 150;  // logical pixels
+constexpr QPoint beside_pen(14, 12);
+constexpr const char* entry_style =
+    "QLineEdit { background: white; color: #1c1c1e; border: 2px solid %1; border-radius: 5px; padding: 3px 6px }";
 
 constexpr double framed_share = 0.4;  // of the sheet, at least, where strokes are looked at
 constexpr double sheet_share = 0.66;  // of the views' width: the sheet, with its margin, gets more than half of it
@@ -26,10 +33,96 @@ PerspectiveMode sheet_mode(const QString& mode) {
   return mode == "erase" ? PerspectiveMode::Erase : PerspectiveMode::Select;
 }
 
+const PerspectiveResult& required_result(const SheetInteraction& sheet) {
+  if (sheet.result() == nullptr) refuse_replay("Nothing was found in the drawing yet");
+  return *sheet.result();
+}
+
+/// What replays can ask of a drawing.
+void add_counts(Replays& replays, const SheetInteraction& sheet) {
+  const auto add = [&](const char* name, auto count) {
+    replays.counts[name] = [&sheet, count](const std::string&) {
+      return static_cast<std::size_t>(count(required_result(sheet)));
+    };
+  };
+  replays.counts["perspective-strokes"] = [&sheet](const std::string&) { return sheet.drawing().strokes.size(); };
+  add("perspective-faces", [](const PerspectiveResult& result) { return result.faces.size(); });
+  add("perspective-open", [](const PerspectiveResult& result) { return result.open_strokes.size(); });
+  add("perspective-closed", [](const PerspectiveResult& result) { return result.closed; });
+  add("perspective-mode", [](const PerspectiveResult& result) { return result.mode; });
+  add("perspective-fixes", [](const PerspectiveResult& result) { return result.fixes.size(); });
+  replays.ranges["perspective-residual"] = [&sheet](const std::string&) {
+    std::pair<double, double> range(1e300, 0);
+    for (const PerspectiveStrokeResult& stroke : required_result(sheet).strokes) {
+      if (!stroke.residual) continue;
+      range.first = std::min(range.first, *stroke.residual);
+      range.second = std::max(range.second, *stroke.residual);
+    }
+    return range;
+  };
+}
+
 }  // namespace
 
+PenEntry::PenEntry(QWidget* views) : QLineEdit(views) {
+  setObjectName("perspective-entry");
+  setFixedWidth(entry_width);
+  hide();
+}
+
+void PenEntry::ask(const QPointF& at, const QString& title, const QString& text, Take take) {
+  take_ = std::move(take);
+  setPlaceholderText(title);
+  setToolTip(title);
+  setAccessibleName(title);
+  setText(text);
+  show_wrong(false);
+  adjustSize();
+  const QRect room = parentWidget()->rect();
+  const QPoint wanted = at.toPoint() + beside_pen;
+  move(std::clamp(wanted.x(), 0, std::max(0, room.width() - width())),
+       std::clamp(wanted.y(), 0, std::max(0, room.height() - height())));
+  show();
+  raise();
+  setFocus(Qt::OtherFocusReason);
+  selectAll();
+}
+
+void PenEntry::show_wrong(bool wrong) { setStyleSheet(QString(entry_style).arg(wrong ? "#d63c34" : "#f28c28")); }
+
+/// No key is a menu's shortcut while something is typed.
+bool PenEntry::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
+void PenEntry::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return close_entry();
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {
+    show_wrong(false);
+    return QLineEdit::keyPressEvent(event);
+  }
+  if (take_ && !take_(text())) return show_wrong(true);
+  close_entry();
+}
+
+void PenEntry::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  if (isVisible()) close_entry();
+}
+
+void PenEntry::close_entry() {
+  take_ = nullptr;
+  hide();
+  parentWidget()->setFocus(Qt::OtherFocusReason);
+  emit finished();
+}
+
 PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
-    : Tool(host),
+    : Tool(host, "Drawings in perspective"),
       sheet_(host.studio(), host.viewport().pane(SketchView)),
       chips_(sheet_, &host.viewport()),
       entry_(new PenEntry(&host.viewport())) {
@@ -45,6 +138,7 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
   });
   connect(&sheet_, &SheetInteraction::point_picked, this, &PerspectiveDrawingTool::ask_point);
   connect(&sheet_, &SheetInteraction::length_picked, this, &PerspectiveDrawingTool::ask_length);
+  connect(entry_, &PenEntry::finished, this, &Tool::state_changed);
   connect(&chips_.alternatives(), &AlternativeChips::hovered_changed, this, &Tool::changed);
   connect(&chips_.alternatives(), &AlternativeChips::wanted, this, &PerspectiveDrawingTool::take_alternative);
   connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
@@ -55,42 +149,22 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
 }
 
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
-  panel_ = new PerspectivePanel(sheet_, [this](const QString& name) { return host().action(name); });
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel_);
-  dock_ = docks.add(tr("Perspective"), scroll, "perspective");
-  docks.set_useful(dock_, false);
-  docks_ = &docks;
-  connect_panel();
-}
-
-void PerspectiveDrawingTool::connect_panel() {
-  connect(panel_, &PerspectivePanel::known_point_wanted, this,
-          [this](const std::optional<KnownPoint>& known) { do_and_record(sheet_.tool().set_known_point(known)); });
-  connect(panel_, &PerspectivePanel::known_length_wanted, this,
-          [this](const std::string& stroke, std::optional<double> length) {
-            do_and_record(sheet_.tool().set_known_length(stroke, length));
-          });
-  connect(panel_, &PerspectivePanel::field_of_view_wanted, this, [this](std::optional<double> radians) {
-    do_and_record(sheet_.tool().set_camera(radians, sheet_.drawing().principal_point));
-  });
-  connect(panel_, &PerspectivePanel::sheet_size_wanted, this,
-          [this](const Vec2& size) { do_and_record(sheet_.tool().set_sheet(size)); });
-  connect(panel_, &PerspectivePanel::unit_wanted, this,
-          [this](const std::string& unit) { do_and_record(sheet_.tool().set_unit(unit)); });
-  connect(panel_, &PerspectivePanel::parameter_wanted, this, &PerspectiveDrawingTool::set_parameter);
-  connect(entry_, &PenEntry::finished, this, &Tool::state_changed);
-  connect(panel_, &PerspectivePanel::stroke_wanted, this, [this](const std::string& stroke) {
+  PerspectivePanelHost needs;
+  needs.action = [this](const QString& name) { return host().action(name); };
+  needs.record = [this](Verdict verdict) { do_and_record(verdict); };
+  needs.set_parameter = [this](const std::string& name, const ParameterValue& value) { set_parameter(name, value); };
+  needs.choose = [this](const std::string& stroke) {
     if (mode() != select_mode) host().set_mode(select_mode);
     sheet_.tool().select({stroke});
-  });
-  connect(panel_, &PerspectivePanel::overlay_wanted, this, [this](double opacity) {
+  };
+  needs.overlay = [this](double opacity) {
     overlay_ = opacity;
     emit changed_in(PerspectiveView);
-  });
+  };
+  panel_ = make_perspective_panel(sheet_, needs);
+  dock_ = docks.add(tr("Perspective"), scrolled(panel_), "perspective");
+  docks.set_useful(dock_, false);
+  docks_ = &docks;
 }
 
 void PerspectiveDrawingTool::do_and_record(Verdict verdict) {
@@ -108,8 +182,10 @@ void PerspectiveDrawingTool::set_mode(const QString& mode) {
 
 bool PerspectiveDrawingTool::works_in(int view) const { return has_view(view) && (draws() || mode() == select_mode); }
 
-Qt::CursorShape PerspectiveDrawingTool::cursor(int) const {
-  return draws() || sheet_.picks() != SheetInteraction::Pick::None ? Qt::CrossCursor : Qt::ArrowCursor;
+ViewUse PerspectiveDrawingTool::use_of(int view) const {
+  const bool aims = draws() || sheet_.picks() != SheetInteraction::Pick::None;
+  return {aims ? Qt::CrossCursor : Qt::ArrowCursor, true, has_view(view),
+          has_view(view) ? tr("Perspective drawing") : QString()};
 }
 
 bool PerspectiveDrawingTool::abandon() {
@@ -124,8 +200,12 @@ void PerspectiveDrawingTool::add_all_to(Selection& selection) const {
     selection.push_back({studio().sheet_node(), stroke.id});
 }
 
-bool PerspectiveDrawingTool::delete_selection() {
-  if (studio().sheet_node() == 0) return false;
+bool PerspectiveDrawingTool::command(EditCommand command) {
+  if (command == EditCommand::Accept && sheet_.proposal()) {
+    complete_mirrored();
+    return true;
+  }
+  if (command != EditCommand::Delete || studio().sheet_node() == 0) return false;
   const Verdict verdict = sheet_.tool().delete_selected();
   do_and_record(verdict);
   return verdict == Verdict::Commit;
@@ -188,10 +268,6 @@ render::Bounds PerspectiveDrawingTool::bounds_in(int view) const {
   return has_view(view) ? sheet_.bounds() : render::Bounds();
 }
 
-QString PerspectiveDrawingTool::view_title(int view) const {
-  return has_view(view) ? tr("Perspective drawing") : QString();
-}
-
 // ---- Looking through
 
 bool PerspectiveDrawingTool::looks_through() const {
@@ -209,7 +285,9 @@ void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
 
 // ---- The flow
 
-void PerspectiveDrawingTool::follow_document() {
+void PerspectiveDrawingTool::follow(Change change) {
+  if (change == Change::Result) sheet_.follow_result();
+  if (change != Change::Document) return;
   const NodeId now = studio().sheet_node();
   if (std::exchange(shown_node_, now) != now) {
     host().viewport().suggest_share(now == 0 ? even_share : sheet_share);
@@ -218,8 +296,6 @@ void PerspectiveDrawingTool::follow_document() {
   }
   sheet_.follow_document();
 }
-
-void PerspectiveDrawingTool::follow_result() { sheet_.follow_result(); }
 
 bool PerspectiveDrawingTool::show_finding(const NodeFinding& found) {
   if (studio().sheet_node() == 0 || found.node != sheet_.tool().operation_node()) return false;
@@ -255,6 +331,46 @@ std::optional<SelectionFrame> PerspectiveDrawingTool::selection_frame(int view) 
 QString PerspectiveDrawingTool::status() const {
   if (studio().sheet_node() == 0 || sheet_.result() == nullptr) return {};
   return solid_state(sheet_.drawing(), *sheet_.result(), sheet_.findings()).sentence;
+}
+
+// Recorded steps of perspective drawings, and what replays can expect of them.
+
+void PerspectiveDrawingTool::make_replays(Replays& replays) {
+  // The first step begins a drawing where there is none.
+  const auto with_tool = [this](auto does) {
+    return [this, does](const auto& step) {
+      if (studio().sheet_node() == 0) host().action("new-perspective")->trigger();
+      does(sheet_.tool(), step);
+    };
+  };
+  replays.on<recorded::SheetStroke>(with_tool([](PerspectiveTool& tool, const auto& step) {
+    step.erases ? tool.erase(step.points, step.scale)
+                : tool.draw(step.points, step.scale, step.group, step.role, step.groups);
+  }));
+  replays.on<recorded::SheetDrag>(with_tool(
+      [](PerspectiveTool& tool, const auto& step) { tool.drag(step.stroke, step.point, step.by, step.alone); }));
+  replays.on<recorded::SheetAim>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.aim(step.axis, step.at); }));
+  replays.on<recorded::SheetSetting>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set(step.strokes, step.setting); }));
+  replays.on<recorded::SheetDelete>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.remove(step.strokes); }));
+  replays.on<recorded::SheetPoint>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_known_point(step.known); }));
+  replays.on<recorded::SheetLength>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_known_length(step.stroke, step.length); }));
+  replays.on<recorded::SheetCamera>(with_tool(
+      [](PerspectiveTool& tool, const auto& step) { tool.set_camera(step.field_of_view, step.principal_point); }));
+  replays.on<recorded::SheetSize>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_sheet(step.size); }));
+  replays.on<recorded::SheetUnit>(with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_unit(step.unit); }));
+  replays.on<recorded::SheetFaces>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.choose_faces(step.required, step.forbidden); }));
+  replays.on<recorded::SheetChoice>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.choose(step.list, step.item, step.on); }));
+  replays.on<recorded::SheetMirror>(
+      with_tool([](PerspectiveTool& tool, const auto& step) { tool.complete_mirrored(step.plane, step.strokes); }));
+  add_counts(replays, sheet_);
 }
 
 }  // namespace croquis::app

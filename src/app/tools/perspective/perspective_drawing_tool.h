@@ -1,14 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/tools/perspective/pen_entry.h"
+#include <QLineEdit>
+#include <functional>
+
+#include "app/panels/panel.h"
 #include "app/tools/perspective/perspective_chips.h"
 #include "app/tools/perspective/sheet_interaction.h"
 #include "app/tools/tool.h"
 
 namespace croquis::app {
 
-class PerspectivePanel;
+/// A field for one value at the pen. Enter takes what was typed, Escape and a click elsewhere leave everything as it
+/// was. What can't be read stays, with a red frame.
+class PenEntry : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  /// @return whether the text could be read
+  using Take = std::function<bool(const QString& text)>;
+
+  explicit PenEntry(QWidget* views);
+
+  /// @param at logical pixels of the views, where the pen is
+  /// @param title what is asked for, shown while the field is empty and as its tooltip
+  void ask(const QPointF& at, const QString& title, const QString& text, Take take);
+
+ signals:
+  void finished();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void close_entry();
+  void show_wrong(bool wrong);
+
+  Take take_;
+};
 
 /// Drawings in perspective: lines towards vanishing points and edges become a camera and a solid.
 class PerspectiveDrawingTool final : public Tool {
@@ -23,43 +54,32 @@ class PerspectiveDrawingTool final : public Tool {
   void make_panels(PanelDocks& docks) override;
   void refresh() override;
   QStringList marking_menu(int view) const override;
-  int marking_key() const override;
 
   void set_mode(const QString& mode) override;
   bool works_in(int view) const override;
   void take(const PointerEvent& event) override { sheet_.take(event); }
-  bool needs_every_move() const override { return true; }
   bool down() const override { return sheet_.down(); }
   bool abandon() override;
-  QString help_topic() const override { return QStringLiteral("Drawings in perspective"); }
   QString help() const override;
   QString tooltip() const override { return sheet_.told_finding(); }
-  Qt::CursorShape cursor(int view) const override;
 
   void add_all_to(Selection& selection) const override;
-  bool delete_selection() override;
-  bool accept() override;
-  bool takes_key(int key) const override;
-  void press_key(int key) override;
+  bool command(EditCommand command) override;
   bool open_step(const Node& step) override;
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
   void add_to(render::Scene& scene, int view) override;
   std::optional<Ink> ink() const override;
-  bool is_paper(int view) const override { return has_view(view); }
   render::Bounds bounds_in(int view) const override;
   std::optional<SelectionFrame> selection_frame(int view) const override;
-  QString view_title(int view) const override;
+  ViewUse use_of(int view) const override;
   void place_chips(ChipPlaces& places) override;
 
-  void follow_document() override;
-  void follow_result() override;
+  void follow(Change change) override;
   bool show_finding(const NodeFinding& found) override;
   QString status() const override;
 
-  std::vector<const recorded::StepKind*> steps() const override;
-  bool replay(const recorded::Step& step) override;
-  Expectations expectations() override;
+  void make_replays(Replays& replays) override;
 
  private:
   bool has_view(int view) const { return view == SketchView && studio().sheet_node() != 0; }
@@ -68,7 +88,6 @@ class PerspectiveDrawingTool final : public Tool {
   void set_looking_through(bool on);
   void begin_new();
   void choose_group(std::optional<StrokeGroup> group);
-  void connect_panel();
   void apply_fix();
   void ask_point(const Vec2& at);
   void ask_length(const std::string& stroke);
@@ -84,11 +103,12 @@ class PerspectiveDrawingTool final : public Tool {
   void do_and_record(Verdict verdict);
   void make_group_actions(ActionList& actions);
   void make_stroke_actions(ActionList& actions);
+  void make_keys();
 
   SheetInteraction sheet_;
   PerspectiveChips chips_;
   PenEntry* entry_;
-  PerspectivePanel* panel_ = nullptr;
+  Panel* panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
   double overlay_ = 0.6;  ///< opacity of the drawing there; 0: none

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/perspective/perspective_panel.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -13,284 +11,261 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "app/panels/number_box.h"
-#include "app/tools/perspective/group_looks.h"
-#include "app/tools/perspective/sheet_size_field.h"
+#include "app/tools/perspective/sheet_scene.h"
 #include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis::app {
 namespace {
 
+struct SheetShape {
+  const char* name;
+  double aspect;  ///< width / height
+};
+
+constexpr std::array<SheetShape, 5> shapes{{{"4:3", 4.0 / 3},
+                                            {"3:2", 3.0 / 2},
+                                            {"16:9", 16.0 / 9},
+                                            {"A4 landscape", std::numbers::sqrt2},
+                                            {"A4 portrait", 1 / std::numbers::sqrt2}}};
+constexpr double longest_sheet = 100'000;  // px
+
 constexpr double degree = std::numbers::pi / 180;
 constexpr double weak_deviation = 0.15;  // of the focal length: as VP_WEAK
 constexpr std::size_t most_lines = 60;
 
-void show_value(QDoubleSpinBox& box, double value) {
-  if (!box.hasFocus() || box.value() != value) box.setValue(value);
-}
+/// 0 as a number says that nothing is known.
+std::optional<double> known_number(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
 
-}  // namespace
-
-PerspectivePanel::PerspectivePanel(SheetInteraction& sheet, const std::function<QAction*(const QString&)>& action)
-    : sheet_(sheet) {
-  setObjectName("perspective-panel");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 6, 8, 6);
-  make_groups(column, action);
-  make_camera(column);
-  sheet_size_ = new SheetSizeField(this);
-  connect(sheet_size_, &SheetSizeField::size_wanted, this, &PerspectivePanel::sheet_size_wanted);
-  column->addWidget(sheet_size_);
-  make_known(column);
-  make_lines(column);
-}
-
-void PerspectivePanel::make_groups(QBoxLayout* column, const std::function<QAction*(const QString&)>& action) {
-  auto* grid = new QGridLayout;
-  grid->setSpacing(3);
-  const std::array<const char*, 8> names{"group-x",        "group-y",        "group-z",        "group-auto",
-                                         "group-normal-x", "group-normal-y", "group-normal-z", "construction"};
-  for (int i = 0; i < 8; ++i) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action(names[static_cast<std::size_t>(i)]));
-    button->setObjectName(QString("button-") + names[static_cast<std::size_t>(i)]);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setFocusPolicy(Qt::NoFocus);
-    button->setMinimumWidth(number_box_width);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    grid->addWidget(button, i / 4, i % 4);
-  }
-  column->addLayout(grid);
-}
-
-void PerspectivePanel::make_camera(QBoxLayout* column) {
-  camera_ = new QLabel(this);
-  camera_->setObjectName("perspective-camera");
-  camera_->setWordWrap(true);
-  column->addWidget(camera_);
-  deviation_ = new QProgressBar(this);
-  deviation_->setObjectName("perspective-deviation");
-  deviation_->setRange(0, 100);
-  deviation_->setTextVisible(true);
-  deviation_->setMaximumHeight(16);
-  deviation_->setToolTip(tr("How far the focal length may be off: one standard deviation"));
-  column->addWidget(deviation_);
-  make_mode(column);
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Field of view"), this));
-  field_ = make_number_box(this, "perspective-field", {0, 170, 2});
-  field_->setSpecialValueText(tr("not known"));
-  field_->setSuffix(QStringLiteral("°"));
-  connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
-    if (!following_) emit field_of_view_wanted(degrees > 0 ? std::optional(degrees * degree) : std::optional<double>());
-  });
-  row->addWidget(field_);
-  column->addLayout(row);
-  make_overlay(column);
-}
-
-/// What the operation is told of the camera.
-void PerspectivePanel::make_mode(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Vanishing points"), this));
-  mode_ = new QComboBox(this);
-  mode_->setObjectName("perspective-mode");
-  mode_->addItem(tr("automatic"), "auto");
-  for (const char* count : {"3", "2", "1"}) mode_->addItem(count, count);
-  mode_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  mode_->setToolTip(tr("How many vanishing points aren't at infinity"));
-  connect(mode_, &QComboBox::activated, this,
-          [this] { emit parameter_wanted("mode", mode_->currentData().toString().toStdString()); });
-  row->addWidget(mode_);
-  column->addLayout(row);
-  flip_ = new QCheckBox(tr("Turn x and y round"), this);
-  flip_->setObjectName("perspective-flip");
-  flip_->setToolTip(tr("Lets x and y point the other way: a drawing doesn't tell which"));
-  connect(flip_, &QCheckBox::clicked, this, [this](bool on) { emit parameter_wanted("flip", on); });
-  column->addWidget(flip_);
-}
-
-void PerspectivePanel::make_overlay(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Drawing over the solid"), this));
-  auto* overlay = new QSlider(Qt::Horizontal, this);
-  overlay->setObjectName("perspective-overlay");
-  overlay->setRange(0, 100);
-  overlay->setValue(60);
-  overlay->setToolTip(tr("How strongly the drawing is seen over the solid while you look through it"));
-  connect(overlay, &QSlider::valueChanged, this, [this](int percent) { emit overlay_wanted(percent / 100.0); });
-  row->addWidget(overlay);
-  column->addLayout(row);
-}
-
-void PerspectivePanel::make_known(QBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  pick_ = new QPushButton(tr("Known point"), this);
-  pick_->setObjectName("perspective-pick-point");
-  pick_->setCheckable(true);
-  pick_->setToolTip(tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
-  connect(pick_, &QPushButton::clicked, this,
-          [this](bool on) { sheet_.pick(on ? SheetInteraction::Pick::Point : SheetInteraction::Pick::None); });
-  row->addWidget(pick_, 1);
-  forget_ = new QPushButton(QStringLiteral("✕"), this);
-  forget_->setObjectName("perspective-forget-point");
-  forget_->setToolTip(tr("No point is known"));
-  forget_->setMaximumWidth(28);
-  connect(forget_, &QPushButton::clicked, this, [this] { emit known_point_wanted(std::nullopt); });
-  row->addWidget(forget_);
-  column->addLayout(row);
-  row = new QHBoxLayout;
-  const std::array<const char*, 3> names{"perspective-point-x", "perspective-point-y", "perspective-point-z"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    point_[i] = make_number_box(this, names[i], {-1e6, 1e6, 3});
-    connect(point_[i], &QDoubleSpinBox::valueChanged, this, [this] { tell_point(); });
-    row->addWidget(point_[i]);
-  }
-  column->addLayout(row);
-  make_length(column);
-}
-
-void PerspectivePanel::make_length(QBoxLayout* column) {
-  auto* second = new QHBoxLayout;
-  length_of_ = new QLabel(this);
-  second->addWidget(length_of_, 1);
-  length_ = make_number_box(this, "perspective-length", {0, 1e9, 3});
-  length_->setSpecialValueText(tr("not known"));
-  connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double length) {
-    const std::vector<std::string> ids = sheet_.tool().selected();
-    if (following_ || ids.size() != 1) return;
-    emit known_length_wanted(ids.front(), length > 0 ? std::optional(length) : std::optional<double>());
-  });
-  second->addWidget(length_);
-  column->addLayout(second);
-  size_ = new QLabel(this);
-  size_->setObjectName("perspective-size");
-  size_->setWordWrap(true);
-  size_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column->addWidget(size_);
-  second = new QHBoxLayout;
-  second->addWidget(new QLabel(tr("Unit of lengths"), this), 1);
-  unit_ = new QComboBox(this);
-  unit_->setObjectName("perspective-unit");
-  unit_->addItem(tr("no unit"), "");
-  for (const std::string& unit : length_units()) {
-    const QString name = QString::fromStdString(unit);
-    unit_->addItem(unit == "in" ? tr("inch") : name, name);
-  }
-  unit_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  unit_->setToolTip(tr("Of all lengths and coordinates; known ones keep their size when it changes"));
-  connect(unit_, &QComboBox::activated, this,
-          [this] { emit unit_wanted(unit_->currentData().toString().toStdString()); });
-  second->addWidget(unit_);
-  column->addLayout(second);
-}
-
-void PerspectivePanel::make_lines(QBoxLayout* column) {
-  lines_ = new QTreeWidget(this);
-  lines_->setObjectName("perspective-lines");
-  lines_->setRootIsDecorated(false);
-  lines_->setHeaderLabels({tr("Line"), tr("Along"), tr("Off by")});
-  lines_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  lines_->setMinimumHeight(90);
-  connect(lines_, &QTreeWidget::itemClicked, this,
-          [this](QTreeWidgetItem* item) { emit stroke_wanted(item->text(0).toStdString()); });
-  column->addWidget(lines_, 1);
-}
-
-void PerspectivePanel::tell_point() {
-  const auto& known = sheet_.drawing().known_point;
-  if (following_ || !known) return;
-  emit known_point_wanted(KnownPoint{known->at, {point_[0]->value(), point_[1]->value(), point_[2]->value()}});
-}
-
-void PerspectivePanel::follow() {
-  following_ = true;
-  follow_camera();
-  sheet_size_->follow(sheet_.drawing().image_size);
-  follow_mode();
-  follow_known();
-  follow_size();
-  follow_lines();
-  following_ = false;
-}
-
-void PerspectivePanel::follow_camera() {
-  const PerspectiveResult* result = sheet_.result();
-  deviation_->setVisible(result != nullptr);
-  show_value(*field_, sheet_.drawing().field_of_view.value_or(0) / degree);
-  if (result == nullptr) {
-    camera_->setText(tr("No camera yet: draw two lines along each axis"));
-    return;
-  }
-  const double field = 2 * std::atan(sheet_.drawing().image_size.x() / (2 * result->camera.focal_length)) / degree;
-  camera_->setText(tr("%1-point perspective, field of view %2°").arg(result->mode).arg(field, 0, 'f', 1));
-  const double share = result->focal_deviation / result->camera.focal_length;
-  deviation_->setValue(static_cast<int>(std::clamp(100 * share / (2 * weak_deviation), 0.0, 100.0)));
-  deviation_->setFormat(tr("camera certain within %1 %").arg(100 * share, 0, 'f', 1));
-}
-
-void PerspectivePanel::follow_known() {
-  const PerspectiveDrawing& drawing = sheet_.drawing();
-  pick_->setChecked(sheet_.picks() == SheetInteraction::Pick::Point);
-  forget_->setEnabled(drawing.known_point.has_value());
-  for (int i = 0; i < 3; ++i) {
-    QDoubleSpinBox& box = *point_[static_cast<std::size_t>(i)];
-    box.setEnabled(drawing.known_point.has_value());
-    show_value(box, drawing.known_point ? drawing.known_point->point[i] : 0);
-  }
-  const std::vector<std::string> ids = sheet_.tool().selected();
-  length_->setEnabled(ids.size() == 1);
-  length_of_->setText(ids.size() == 1 ? tr("Length of %1").arg(QString::fromStdString(ids.front()))
-                                      : tr("Length: select one stroke"));
-  double length = 0;
-  for (const KnownLength& known : drawing.known_lengths) {
-    if (ids.size() == 1 && known.stroke == ids.front()) length = known.length;
-  }
-  show_value(*length_, length);
-}
-
-void PerspectivePanel::follow_mode() {
-  const QString mode = QString::fromStdString(sheet_.parameter_text("mode"));
-  mode_->setCurrentIndex(std::max(0, mode_->findData(mode)));
-  flip_->setChecked(sheet_.parameter_flag("flip"));
+QString camera_words(const SheetInteraction& sheet) {
+  const PerspectiveResult* result = sheet.result();
+  if (result == nullptr) return Panel::tr("No camera yet: draw two lines along each axis");
+  const double field = 2 * std::atan(sheet.drawing().image_size.x() / (2 * result->camera.focal_length)) / degree;
+  return Panel::tr("%1-point perspective, field of view %2°").arg(result->mode).arg(field, 0, 'f', 1);
 }
 
 /// The box about the solid's corners.
-void PerspectivePanel::follow_size() {
-  const QString unit = QString::fromStdString(sheet_.drawing().unit);
-  unit_->setCurrentIndex(std::max(0, unit_->findData(unit)));
-  const PerspectiveResult* result = sheet_.result();
+QString size_words(const SheetInteraction& sheet) {
+  const PerspectiveResult* result = sheet.result();
   const BoundingBox box = result == nullptr ? BoundingBox() : bounds_of(result->network);
-  size_->setVisible(box.has_value());
-  if (!box) return;
+  if (!box) return {};
   const Vec3 size = (*box)[1] - (*box)[0];
   const auto text = [&](int axis) { return number_words(size[axis]); };
-  size_->setText(tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed());
+  const QString unit = QString::fromStdString(sheet.drawing().unit);
+  return Panel::tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed();
 }
 
-void PerspectivePanel::follow_lines() {
+QProgressBar* make_deviation(Panel& panel, const SheetInteraction& sheet) {
+  auto* bar = new QProgressBar(&panel);
+  bar->setObjectName("perspective-deviation");
+  bar->setRange(0, 100);
+  bar->setTextVisible(true);
+  bar->setMaximumHeight(16);
+  bar->setToolTip(Panel::tr("How far the focal length may be off: one standard deviation"));
+  panel.also([bar, &sheet] {
+    const PerspectiveResult* result = sheet.result();
+    bar->setVisible(result != nullptr);
+    if (result == nullptr) return;
+    const double share = result->focal_deviation / result->camera.focal_length;
+    bar->setValue(static_cast<int>(std::clamp(100 * share / (2 * weak_deviation), 0.0, 100.0)));
+    bar->setFormat(Panel::tr("camera certain within %1 %").arg(100 * share, 0, 'f', 1));
+  });
+  return bar;
+}
+
+void add_camera(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  panel.column()->addWidget(panel.text("perspective-camera", [&sheet] { return camera_words(sheet); }));
+  panel.column()->addWidget(make_deviation(panel, sheet));
+  panel.row({panel.label(Panel::tr("Vanishing points")),
+             panel.choice_of_values(
+                 "perspective-mode", {{Panel::tr("automatic"), "auto"}, {"3", "3"}, {"2", "2"}, {"1", "1"}},
+                 [&sheet] {
+                   const std::string mode = sheet.parameter_text("mode");
+                   return mode.empty() ? std::string("auto") : mode;
+                 },
+                 [host](const std::string& mode) { host.set_parameter("mode", mode); },
+                 Panel::tr("How many vanishing points aren't at infinity"))});
+  panel.column()->addWidget(panel.flag(
+      "perspective-flip", Panel::tr("Turn x and y round"), [&sheet] { return sheet.parameter_flag("flip"); },
+      [host](bool on) { host.set_parameter("flip", on); },
+      Panel::tr("Lets x and y point the other way: a drawing doesn't tell which")));
+  QDoubleSpinBox* field = panel.number(
+      "perspective-field", {0, 170, 2},
+      [&sheet] { return Panel::Number{sheet.drawing().field_of_view.value_or(0) / degree}; },
+      [&sheet, host](double degrees) {
+        host.record(sheet.tool().set_camera(known_number(degrees * degree), sheet.drawing().principal_point));
+      });
+  field->setSpecialValueText(Panel::tr("not known"));
+  field->setSuffix(QStringLiteral("°"));
+  panel.row({panel.label(Panel::tr("Field of view")), field});
+  auto* overlay = new QSlider(Qt::Horizontal, &panel);
+  overlay->setObjectName("perspective-overlay");
+  overlay->setRange(0, 100);
+  overlay->setValue(60);
+  overlay->setToolTip(Panel::tr("How strongly the drawing is seen over the solid while you look through it"));
+  QObject::connect(overlay, &QSlider::valueChanged, &panel, [host](int percent) { host.overlay(percent / 100.0); });
+  panel.row({panel.label(Panel::tr("Drawing over the solid")), overlay});
+}
+
+/// Width and height of the sheet, or one of the usual shapes.
+void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  QStringList words{Panel::tr("Other")};
+  for (const SheetShape& shape : shapes) words << Panel::tr(shape.name);
+  const auto shape_of = [&sheet] {
+    const Vec2 size = sheet.drawing().image_size;
+    // Sides are whole pixels: the shape is right up to one of them.
+    const auto fits = [&](const SheetShape& shape) { return std::abs(size.x() - shape.aspect * size.y()) <= 1; };
+    const auto found = std::ranges::find_if(shapes, fits);
+    return found == shapes.end() ? 0 : 1 + static_cast<int>(found - shapes.begin());
+  };
+  const auto take_shape = [&sheet, host](int index) {
+    if (index < 1) return;
+    const double aspect = shapes[static_cast<std::size_t>(index - 1)].aspect;
+    const double longer = sheet.drawing().image_size.maxCoeff();
+    host.record(sheet.tool().set_sheet(aspect > 1 ? Vec2(longer, std::round(longer / aspect))
+                                                  : Vec2(std::round(longer * aspect), longer)));
+  };
+  const auto side = [&](const char* name, int axis) {
+    return panel.number(
+        name, {1, longest_sheet, 0}, [&sheet, axis] { return Panel::Number{sheet.drawing().image_size[axis]}; },
+        [&sheet, host, axis](double length) {
+          Vec2 size = sheet.drawing().image_size;
+          size[axis] = length;
+          host.record(sheet.tool().set_sheet(size));
+        });
+  };
+  QComboBox* shape =
+      panel.choice("sheet-shape", words, shape_of, take_shape,
+                   Panel::tr("The shape of the sheet; its longer side stays as it is. Strokes keep their places"));
+  panel.row({panel.label(Panel::tr("Sheet")), {shape, 1}, side("sheet-width", 0), side("sheet-height", 1)});
+}
+
+void add_known_point(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  using Pick = SheetInteraction::Pick;
+  auto* pick = new QPushButton(Panel::tr("Known point"), &panel);
+  pick->setObjectName("perspective-pick-point");
+  pick->setCheckable(true);
+  pick->setToolTip(Panel::tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
+  QObject::connect(pick, &QPushButton::clicked, &panel,
+                   [&sheet](bool on) { sheet.pick(on ? Pick::Point : Pick::None); });
+  auto* forget = new QPushButton(QStringLiteral("✕"), &panel);
+  forget->setObjectName("perspective-forget-point");
+  forget->setToolTip(Panel::tr("No point is known"));
+  forget->setMaximumWidth(28);
+  QObject::connect(forget, &QPushButton::clicked, &panel,
+                   [&sheet, host] { host.record(sheet.tool().set_known_point(std::nullopt)); });
+  panel.row({{pick, 1}, forget});
+  panel.also([&sheet, pick, forget] {
+    pick->setChecked(sheet.picks() == Pick::Point);
+    forget->setEnabled(sheet.drawing().known_point.has_value());
+  });
+  const auto coordinate = [&](const char* name, int axis) {
+    return panel.number(
+        name, {-1e6, 1e6, 3},
+        [&sheet, axis] {
+          const auto& known = sheet.drawing().known_point;
+          return Panel::Number{known ? known->point[axis] : 0, known.has_value()};
+        },
+        [&sheet, host, axis](double value) {
+          std::optional<KnownPoint> known = sheet.drawing().known_point;
+          if (!known) return;
+          known->point[axis] = value;
+          host.record(sheet.tool().set_known_point(known));
+        });
+  };
+  panel.row({coordinate("perspective-point-x", 0), coordinate("perspective-point-y", 1),
+             coordinate("perspective-point-z", 2)});
+}
+
+void add_known_length(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  QLabel* title = panel.label({});
+  panel.also([&sheet, title] {
+    const std::vector<std::string> ids = sheet.tool().selected();
+    title->setText(ids.size() == 1 ? Panel::tr("Length of %1").arg(QString::fromStdString(ids.front()))
+                                   : Panel::tr("Length: select one stroke"));
+  });
+  QDoubleSpinBox* length = panel.number(
+      "perspective-length", {0, 1e9, 3},
+      [&sheet] {
+        const std::vector<std::string> ids = sheet.tool().selected();
+        Panel::Number shown{0, ids.size() == 1};
+        for (const KnownLength& known : sheet.drawing().known_lengths) {
+          if (shown.enabled && known.stroke == ids.front()) shown.value = known.length;
+        }
+        return shown;
+      },
+      [&sheet, host](double value) {
+        const std::vector<std::string> ids = sheet.tool().selected();
+        if (ids.size() == 1) host.record(sheet.tool().set_known_length(ids.front(), known_number(value)));
+      });
+  length->setSpecialValueText(Panel::tr("not known"));
+  panel.row({{title, 1}, length});
+  QLabel* size = panel.text("perspective-size", [&sheet] { return size_words(sheet); });
+  size->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  panel.column()->addWidget(size);
+  std::vector<Panel::Choice> units{{Panel::tr("no unit"), ""}};
+  for (const std::string& unit : length_units()) {
+    const QString name = QString::fromStdString(unit);
+    units.push_back({unit == "in" ? Panel::tr("inch") : name, name});
+  }
+  panel.row({{panel.label(Panel::tr("Unit of lengths")), 1},
+             panel.choice_of_values(
+                 "perspective-unit", units, [&sheet] { return sheet.drawing().unit; },
+                 [&sheet, host](const std::string& unit) { host.record(sheet.tool().set_unit(unit)); },
+                 Panel::tr("Of all lengths and coordinates; known ones keep their size when it changes"))});
+}
+
+/// The lines that miss their vanishing point most.
+void show_lines(QTreeWidget& list, const PerspectiveResult* result) {
   std::vector<PerspectiveStrokeResult> shown;
-  if (const PerspectiveResult* result = sheet_.result()) {
-    for (const PerspectiveStrokeResult& stroke : result->strokes) {
-      if (stroke.residual) shown.push_back(stroke);
-    }
+  if (result != nullptr) {
+    std::ranges::copy_if(result->strokes, std::back_inserter(shown),
+                         [](const PerspectiveStrokeResult& stroke) { return stroke.residual.has_value(); });
   }
   std::ranges::sort(shown, [](const auto& a, const auto& b) { return *a.residual > *b.residual; });
   shown.resize(std::min(shown.size(), most_lines));
-  lines_->clear();
+  list.clear();
   for (const PerspectiveStrokeResult& stroke : shown) {
-    auto* item = new QTreeWidgetItem(lines_, {QString::fromStdString(stroke.id), group_letter(stroke.group),
-                                              tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
+    auto* item = new QTreeWidgetItem(&list, {QString::fromStdString(stroke.id), group_letter(stroke.group),
+                                             Panel::tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
     item->setForeground(1, group_color(stroke.group));
     const QColor heat = residual_color(*stroke.residual);
     item->setBackground(2, heat);
     item->setForeground(2, heat.lightness() > 120 ? QColor(20, 20, 22) : QColor(250, 249, 246));
   }
+}
+
+void add_lines(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  auto* list = new QTreeWidget(&panel);
+  list->setObjectName("perspective-lines");
+  list->setRootIsDecorated(false);
+  list->setHeaderLabels({Panel::tr("Line"), Panel::tr("Along"), Panel::tr("Off by")});
+  list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list->setMinimumHeight(90);
+  QObject::connect(list, &QTreeWidget::itemClicked, &panel,
+                   [host](QTreeWidgetItem* item) { host.choose(item->text(0).toStdString()); });
+  panel.column()->addWidget(list, 1);
+  panel.also([list, &sheet] { show_lines(*list, sheet.result()); });
+}
+
+}  // namespace
+
+Panel* make_perspective_panel(SheetInteraction& sheet, const PerspectivePanelHost& host) {
+  auto* panel = new Panel("perspective-panel");
+  panel->buttons({"group-x", "group-y", "group-z", "group-auto", "group-normal-x", "group-normal-y", "group-normal-z",
+                  "construction"},
+                 4, Qt::ToolButtonTextBesideIcon, host.action);
+  for (auto* button : panel->findChildren<QToolButton*>()) button->setMinimumWidth(number_box_width);
+  add_camera(*panel, sheet, host);
+  add_sheet(*panel, sheet, host);
+  add_known_point(*panel, sheet, host);
+  add_known_length(*panel, sheet, host);
+  add_lines(*panel, sheet, host);
+  return panel;
 }
 
 }  // namespace croquis::app

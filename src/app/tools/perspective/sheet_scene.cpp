@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/perspective/sheet_scene.h"
 
+#include <QObject>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
-#include "app/tools/perspective/group_letters.h"
-#include "app/tools/perspective/group_looks.h"
-#include "app/tools/perspective/solid_state.h"
+#include "app/tools/perspective/perspective_chips.h"
 #include "app/views/render_color.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
+
+constexpr double bad_px = 6;  // a line that misses by so much is darkest red
+
+std::vector<std::vector<Vec2>> letter(int axis) {
+  if (axis == 0) return {{{-0.3, -0.4}, {0.3, 0.4}}, {{-0.3, 0.4}, {0.3, -0.4}}};
+  if (axis == 1) return {{{-0.3, 0.4}, {0, 0}, {0.3, 0.4}}, {{0, 0}, {0, -0.4}}};
+  return {{{-0.3, 0.4}, {0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}}};
+}
 
 constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
 constexpr int construction_alpha = 150, hidden_alpha = 170;
@@ -106,7 +114,93 @@ double least_seen_residual(const PerspectiveResult& result) {
   return std::max(seen_residual_px, seen_residual_share * *middle);
 }
 
+// Logical pixels.
+constexpr double letter_pixels = 9;
+constexpr double letter_offset = 11;  // from the stroke
+constexpr double letter_room = 17;    // between the middles of two letters
+constexpr double least_lettered = 32;
+constexpr double letter_width = 1.4, letter_casing_width = 4.5;
+
+/// Along a stroke, the middle first.
+constexpr std::array letter_places{0.5, 0.36, 0.64, 0.22, 0.78};
+
+/// Of places along the stroke and both of its sides, the first that no letter is near.
+std::optional<Vec2> free_place(const PerspectiveStroke& stroke, const std::vector<GroupLetter>& taken, double unit) {
+  const std::vector<Vec2> places = traced(stroke.pieces, false);
+  for (const double share : letter_places) {
+    const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(share * static_cast<double>(places.size())), 1,
+                                           places.size() - 2);
+    const Vec2 way = places[i + 1] - places[i - 1];
+    if (!(way.norm() > 0)) continue;
+    for (const double side : {1.0, -1.0}) {
+      const Vec2 at = places[i] + side * letter_offset * unit * left_of(way).normalized();
+      const bool is_free = std::ranges::none_of(
+          taken, [&](const GroupLetter& other) { return (other.at - at).norm() < letter_room * unit; });
+      if (is_free) return at;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+QColor group_color(StrokeGroup group) {
+  static const std::array<QColor, 7> made{QColor(0xF2, 0x8C, 0x00), QColor(0x1F, 0x9D, 0x3A), QColor(0x8A, 0x2B, 0xE2),
+                                          QColor(0x1F, 0x4F, 0xD8), QColor(0xD8, 0x1F, 0x2A), QColor(0xC8, 0xA0, 0x00),
+                                          QColor(0x70, 0x74, 0x7C)};
+  return made[static_cast<std::size_t>(group)];
+}
+
+render::DashPattern group_dashes(StrokeGroup group) {
+  switch (group) {
+    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
+    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
+    case StrokeGroup::NormalX: return {24, 3, 0, 0};
+    case StrokeGroup::NormalY: return {8, 4, 0, 0};
+    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
+    default: return {};
+  }
+}
+
+QString group_letter(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown) return QStringLiteral("?");
+  const QString axis(QStringLiteral("xyz").at(axis_of(group)));
+  return is_parallel(group) ? axis : QStringLiteral("⊥") + axis;
+}
+
+/// Of a box whose x runs to the right: the faces across x, y and z.
+QString group_words(StrokeGroup group) {
+  const std::array<QString, 3> faces{QObject::tr("left"), QObject::tr("right"), QObject::tr("top")};
+  const bool is_face = group != StrokeGroup::Unknown && !is_parallel(group);
+  return is_face ? faces[static_cast<std::size_t>(axis_of(group))] : group_letter(group);
+}
+
+QString group_title(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown) return QObject::tr("By where it points");
+  const QString axis(QStringLiteral("xyz").at(axis_of(group)));
+  return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis)
+                            : QObject::tr("In a plane across %1, on a %2 face").arg(axis, group_words(group));
+}
+
+std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown)
+    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
+  auto glyph = letter(axis_of(group));
+  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
+  return glyph;
+}
+
+/// Lightness falls evenly, so that the order is seen with any colour vision.
+QColor residual_color(double px) {
+  static const std::array<QColor, 4> scale{QColor(0xFF, 0xE0, 0x8A), QColor(0xFD, 0xA9, 0x4B), QColor(0xE0, 0x4B, 0x2F),
+                                           QColor(0x8B, 0x10, 0x2B)};
+  const double place = std::clamp(px / bad_px, 0.0, 1.0) * static_cast<double>(scale.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), scale.size() - 2);
+  const double share = place - static_cast<double>(i);
+  const auto mix = [&](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+  const QColor &low = scale[i], &high = scale[i + 1];
+  return {mix(low.red(), high.red()), mix(low.green(), high.green()), mix(low.blue(), high.blue())};
+}
 
 bool is_drawable(const PerspectiveStroke& stroke) {
   return std::ranges::all_of(stroke.pieces, [](const PictureCubic& piece) {
@@ -284,6 +378,43 @@ render::Scene SheetScene::scene(const PerspectiveDrawing& drawing, double units_
   for (const render::MarkItemPtr& item : {vertices_, points_, vanishing_, findings_, snap_})
     scene.marks.emplace_back(item);
   return scene;
+}
+
+std::vector<GroupLetter> group_letters(const PerspectiveDrawing& drawing, double unit) {
+  std::vector<GroupLetter> letters;
+  for (const StrokeRole role : {StrokeRole::Edge, StrokeRole::Construction}) {
+    for (const PerspectiveStroke& stroke : drawing.strokes) {
+      const bool has_room = (stroke.end() - stroke.start()).norm() >= least_lettered * unit;
+      if (stroke.role != role || !has_room || !is_drawable(stroke)) continue;
+      if (const auto at = free_place(stroke, letters, unit)) letters.push_back({stroke.group, *at});
+    }
+  }
+  return letters;
+}
+
+std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit) {
+  std::map<StrokeGroup, std::vector<render::LinePath>> by_group;
+  std::vector<render::LinePath> casing;
+  for (const GroupLetter& letter : letters) {
+    for (const std::vector<Vec2>& part : group_glyph(letter.group)) {
+      render::LinePath path;
+      for (const Vec2& place : part) {
+        path.points.push_back(
+            {on_sketch_plane(letter.at) + letter_pixels * unit * glm::dvec3(place.x(), place.y(), 0), 1, {}});
+      }
+      casing.push_back(path);
+      by_group[letter.group].push_back(std::move(path));
+    }
+  }
+  std::vector<render::LineItemPtr> items;
+  if (casing.empty()) return items;
+  items.push_back(render::make_line_item(
+      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
+  for (const auto& [group, paths] : by_group) {
+    items.push_back(
+        render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
+  }
+  return items;
 }
 
 }  // namespace croquis::app

@@ -4,23 +4,31 @@
 #include <QAction>
 #include <QMenu>
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "app/panels/finding_elements.h"
-#include "app/studio/own_space.h"
-#include "app/tools/silhouette/bodies.h"
+#include "app/replay/replays.h"
 #include "app/views/ink_sheet.h"
+#include "app/views/own_space.h"
 #include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/theme.h"
 #include "croquis/operators/inflate_result.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/silhouette/sketch_steps.h"
+#include "croquis/tools/silhouette/stroke_edit.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
+constexpr int pen_watch_ms = 100;
+constexpr double mark_reach = 12;  // logical pixels
+constexpr double stroke_reach = 8;
 constexpr double hint_height = 60;  // above the view's lower border
 
 SketchMode sketch_mode(const QString& mode) {
@@ -28,19 +36,53 @@ SketchMode sketch_mode(const QString& mode) {
   return mode == "erase" ? SketchMode::Erase : SketchMode::Select;
 }
 
+StrokeSample sample_at(const Vec2& place) {
+  StrokeSample sample;
+  sample.position = place;
+  return sample;
+}
+
+template <class Item, class Test>
+std::size_t count_of(const std::vector<Item>& items, const Test& test) {
+  return static_cast<std::size_t>(std::ranges::count_if(items, test));
+}
+
+std::size_t held_pairs(const InflateResult& inflated, silhouette::Hold hold) {
+  return count_of(inflated.attached, [hold](const silhouette::SolidAttachment& pair) { return pair.hold == hold; });
+}
+
+/// The bodies of the solid that the object's second node is.
+std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, const Drawing& drawing) {
+  if (object.chain.size() < 2) return {};
+  const auto result = studio.result(object.chain[1]);
+  return bodies_of(drawing, result.get());
+}
+
+QString joined(const std::vector<std::string>& texts) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list.join(", ");
+}
+
+ObjectRow row_of(const Body& body) {
+  const auto count = body.strokes.size();
+  const QString info =
+      count == 1 ? SilhouetteTool::tr("1 stroke") : SilhouetteTool::tr("%1 strokes").arg(qulonglong(count));
+  return {body.name, info, joined(body.strokes), body.strokes, true, true, {}};
+}
+
 }  // namespace
 
 SilhouetteTool::SilhouetteTool(ToolHost& host)
-    : Tool(host),
-      sketch_(host.studio(), host.viewport().pane(SketchView), nullptr),
-      chips_(host.studio(), sketch_.tool(), host.viewport()),
+    : Tool(host, "Drawing"),
+      tool_(host.studio().session(), host.studio().tool_options()),
+      chips_(host.studio(), tool_, host.viewport()),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
-  connect(&sketch_, &SketchInteraction::changed, this, [this] { emit changed_in(SketchView); });
-  connect(&sketch_, &SketchInteraction::inked, this, &Tool::inked);
-  connect(&sketch_, &SketchInteraction::committed, this, &Tool::committed);
+  connect(&pen_watch_, &QTimer::timeout, this,
+          [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
 }
 
@@ -75,7 +117,14 @@ void SilhouetteTool::refresh() {
 
 void SilhouetteTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
-  sketch_.set_mode(sketch_mode(mode));
+  tool_.set_mode(sketch_mode(mode));
+  PenOptions options = pen_.options();
+  options.right_draws = tool_.mode() == SketchMode::Draw;
+  pen_.set_options(options);
+  studio().hold_results(inking());
+  scene_.show_hovered(std::nullopt, studio().drawing());
+  scene_.show_drawing(studio(), tool_);
+  emit changed_in(SketchView);
   Viewport& views = host().viewport();
   if (draws() && studio().network_node() == 0 && !views.pane(SketchView).visible())
     views.arrange(Arrangement::SketchAndSolid);
@@ -91,19 +140,23 @@ bool SilhouetteTool::has_view(int view) const {
 }
 
 bool SilhouetteTool::is_paper(int view) const {
-  return has_view(view) && (sketch_.scene().has_strokes() || !studio().has_cage());
+  return has_view(view) && (scene_.has_strokes() || !studio().has_cage());
 }
 
-Qt::CursorShape SilhouetteTool::cursor(int) const { return draws() ? Qt::CrossCursor : Qt::ArrowCursor; }
+ViewUse SilhouetteTool::use_of(int view) const {
+  const bool sketched = scene_.has_strokes() || scene_.invites();
+  return {draws() ? Qt::CrossCursor : Qt::ArrowCursor, true, is_paper(view),
+          has_view(view) && sketched ? tr("Sketch") : QString()};
+}
 
 void SilhouetteTool::add_all_to(Selection& selection) const {
   for (const Stroke& stroke : studio().drawing().strokes) selection.push_back({studio().drawing_node(), stroke.id});
 }
 
-bool SilhouetteTool::delete_selection() {
-  if (sketch_.tool().selected().empty()) return false;
+bool SilhouetteTool::command(EditCommand command) {
+  if (command != EditCommand::Delete || tool_.selected().empty()) return false;
   host().record(recorded::Action{"delete"});
-  return sketch_.tool().delete_selected() == Verdict::Commit;
+  return tool_.delete_selected() == Verdict::Commit;
 }
 
 bool SilhouetteTool::open_step(const Node& step) {
@@ -133,13 +186,13 @@ void SilhouetteTool::add_sketch(const DrawingPlane& plane) {
 }
 
 QString SilhouetteTool::help() const {
-  switch (sketch_.mode()) {
+  switch (tool_.mode()) {
     case SketchMode::Select:
       return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
     case SketchMode::Erase: return tr("Drag over lines to cut pieces out of them · D draws");
     case SketchMode::Draw: break;
   }
-  if (!sketch_.scene().has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
+  if (!scene_.has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
   return tr(
       "Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes");
 }
@@ -160,7 +213,7 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
     }
     return;
   }
-  const render::Scene sketch = sketch_.scene().scene();
+  const render::Scene sketch = scene_.scene();
   scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
   scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
 }
@@ -177,8 +230,7 @@ void SilhouetteTool::follow_lines() {
     for (std::size_t l = 0; l < mesh.line_count(); ++l) {
       render::LinePath path;
       for (const Index v : mesh.line(l)) {
-        const Vec3& at = mesh.positions[v];
-        path.points.push_back({{at.x(), at.y(), at.z()}, 1, {}});
+        path.points.push_back({to_glm(mesh.positions[v]), 1, {}});
       }
       paths.push_back(std::move(path));
     }
@@ -188,42 +240,40 @@ void SilhouetteTool::follow_lines() {
 }
 
 std::optional<Ink> SilhouetteTool::ink() const {
-  if (!sketch_.inking()) return std::nullopt;
-  return Ink{SketchView, &sketch_.ink(), sketch_.inks_behind()};
+  if (!inking()) return std::nullopt;
+  return Ink{SketchView, &tool_.preview().ink, tool_.preview().behind};
 }
 
 render::Bounds SilhouetteTool::bounds_in(int view) const {
-  return has_view(view) && sketch_.scene().has_strokes() ? sketch_.scene().bounds(false) : render::Bounds();
+  return has_view(view) && scene_.has_strokes() ? scene_.bounds(false) : render::Bounds();
 }
 
 std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
-  return SelectionFrame{sketch_.scene().bounds(true), std::nullopt, false};
-}
-
-QString SilhouetteTool::view_title(int view) const {
-  const bool sketched = sketch_.scene().has_strokes() || sketch_.scene().invites();
-  return has_view(view) && sketched ? tr("Sketch") : QString();
+  return SelectionFrame{scene_.bounds(true), std::nullopt, false};
 }
 
 void SilhouetteTool::place_chips(ChipPlaces& places) {
   const ViewPane& pane = places.layout().pane(SketchView);
-  if (sketch_.scene().invites() && has_view(SketchView) && pane.visible() && !sketch_.down()) {
+  if (scene_.invites() && has_view(SketchView) && pane.visible() && !down()) {
     hint_->adjustSize();
     places.put(*hint_, QPointF(pane.rect.center().x() - hint_->width() / 2.0, pane.rect.bottom() - hint_height));
   } else {
     hint_->hide();
   }
-  chips_.place(places, has_view(SketchView) && !sketch_.down());
+  chips_.place(places, has_view(SketchView) && !down());
 }
 
-void SilhouetteTool::follow_document() {
-  sketch_.follow_document();
-  chips_.follow();
-}
-
-void SilhouetteTool::follow_result() {
-  sketch_.follow_result();
-  follow_lines();
+void SilhouetteTool::follow(Change change) {
+  if (change != Change::Document && change != Change::Result) return;
+  if (change == Change::Document) {
+    if (!pen_.down()) tool_.set_node(studio().drawing_node());
+    scene_.show_preview(tool_.preview());
+  } else {
+    scene_.show_result(studio());
+    follow_lines();
+  }
+  scene_.show_drawing(studio(), tool_);
+  emit changed_in(SketchView);
   chips_.follow();
 }
 
@@ -233,6 +283,193 @@ bool SilhouetteTool::show_finding(const NodeFinding& found) {
   for (const std::string& stroke : strokes_of(found.finding)) selection.push_back({studio().drawing_node(), stroke});
   studio().session().select(std::move(selection));
   return true;
+}
+
+// ---- The hand
+
+const ViewPane& SilhouetteTool::pane() const { return host().viewport().pane(SketchView); }
+
+void SilhouetteTool::take(const PointerEvent& event) {
+  last_time_ = event.time;
+  since_event_.start();
+  take_pen(pen_.handle(event));
+  if (!pen_.down() && event.action != PointerEvent::Action::Leave) hover(event);
+}
+
+bool SilhouetteTool::abandon() {
+  if (!pen_.down()) return false;
+  take_pen(pen_.cancel());
+  return true;
+}
+
+void SilhouetteTool::take_pen(const std::vector<PenStep>& steps) {
+  const SketchFrame frame = pane().sketch_frame();
+  for (const PenStep& step : steps) feed(to_sketch(step, frame));
+  if (!steps.empty()) show_gesture();
+  if (pen_.down() && !pen_watch_.isActive()) pen_watch_.start(pen_watch_ms);
+  if (!pen_.down()) pen_watch_.stop();
+}
+
+void SilhouetteTool::feed(const SketchEvent& event) {
+  if (tool_.handle(event) == Verdict::Commit && tool_.done()) emit committed(*tool_.done());
+}
+
+void SilhouetteTool::show_gesture() {
+  // Nothing else changes under the pen: what is computed meanwhile is shown when the stroke has ended.
+  studio().hold_results(inking());
+  if (inking()) {
+    emit inked();
+    return;
+  }
+  scene_.show_hovered(std::nullopt, studio().drawing());
+  scene_.show_preview(tool_.preview());
+  emit changed_in(SketchView);
+}
+
+QString SilhouetteTool::told_at(const Vec2& pixel) const {
+  QStringList sentences;
+  for (const FindingMark& finding : scene_.finding_marks()) {
+    const bool under = (pane().sketch_frame().to_pixel(finding.at) - pixel).norm() < mark_reach;
+    if (under && !sentences.contains(finding.sentence)) sentences << finding.sentence;
+  }
+  return sentences.join("\n");
+}
+
+void SilhouetteTool::hover(const PointerEvent& event) {
+  told_finding_ = told_at(event.position);
+  if (tool_.mode() == SketchMode::Draw) return;
+  const SketchFrame frame = pane().sketch_frame();
+  const auto found =
+      nearest_stroke(studio().drawing(), frame.to_sketch(event.position), {stroke_reach, frame.units_per_pixel});
+  scene_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio().drawing());
+  emit changed_in(SketchView);
+}
+
+void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers,
+                                    double scale) {
+  SketchEvent event;
+  event.erases = erases;
+  event.modifiers = modifiers;
+  event.units_per_pixel = scale > 0 ? scale : pane().sketch_frame().units_per_pixel;
+  event.kind = PenStep::Kind::Begin;
+  for (const StrokeSample& sample : samples) {
+    event.sample = sample;
+    feed(event);
+    event.kind = PenStep::Kind::Sample;
+  }
+  event.kind = PenStep::Kind::End;
+  feed(event);
+  show_gesture();
+}
+
+// ---- Recordings
+
+void SilhouetteTool::make_replays(Replays& replays) {
+  replays.on<recorded::StrokeDrawn>([this](const recorded::StrokeDrawn& stroke) {
+    if (!host().shows_views()) host().start_sketch();
+    replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
+  });
+  replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });
+  replays.on<recorded::Drag>([this](const recorded::Drag& drag) { tool_.drag(drag.stroke, drag.anchor, drag.by); });
+  replays.on<recorded::Click>([this](const recorded::Click& click) {
+    if (!click.place) replay_gesture({sample_at(click.at)}, false, modifiers_of(click.modifiers), 0);
+    return !click.place;
+  });
+  replays.on<recorded::Box>([this](const recorded::Box& box) {
+    if (box.from_place) return false;
+    replay_gesture({sample_at(box.from), sample_at((box.from + box.to) / 2), sample_at(box.to)}, false,
+                   modifiers_of(box.modifiers), 0);
+    return true;
+  });
+  add_counts(replays);
+}
+
+void SilhouetteTool::add_counts(Replays& replays) {
+  // The sketch's solid counts as the bodies that it has.
+  replays.counts["objects"] = [this](const std::string&) {
+    std::size_t count = 0;
+    for (const WorkObject& object : studio().objects()) {
+      const InflateResult* inflated = result_of<InflateResult>(object.result.get());
+      const std::size_t bodies = inflated == nullptr || object.result->failed ? 0 : inflated->objects.size();
+      count += object.node == studio().solid_node() ? bodies : object.visible;
+    }
+    return count;
+  };
+  replays.counts["strokes"] = [this](const std::string&) { return studio().drawing().strokes.size(); };
+  replays.counts["strokes-behind"] = [this](const std::string&) {
+    return count_of(studio().drawing().strokes,
+                    [](const Stroke& stroke) { return stroke.data.contains(silhouette::behind_key); });
+  };
+  const auto add = [&](const char* name, const auto& count) {
+    replays.counts[name] = [this, count](const std::string&) {
+      const auto result = studio().result();
+      const InflateResult* inflated = result_of<InflateResult>(result.get());
+      return inflated == nullptr || result->failed ? 0 : count(*inflated);
+    };
+  };
+  add("inner-holes", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return nested.hole; });
+  });
+  add("inner-parts", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return !nested.hole; });
+  });
+  const auto add_kinds = [&](const char* name, std::vector<silhouette::StrokeKind> kinds) {
+    add(name, [kinds = std::move(kinds)](const InflateResult& inflated) {
+      return count_of(inflated.kinds, [&](const auto& read) { return std::ranges::count(kinds, read.second) > 0; });
+    });
+  };
+  add_kinds("details", {silhouette::StrokeKind::Detail, silhouette::StrokeKind::Scribble});
+  add_kinds("tubes", {silhouette::StrokeKind::Tube});
+  add_kinds("left-out", {silhouette::StrokeKind::Ignored});
+  add("crossings-in-view", [](const InflateResult& inflated) { return inflated.crossings_in_view.size(); });
+  add("joined-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Joined); });
+  add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });
+}
+
+// ---- Lists: the bodies of their solids, and strokes that belong to none.
+
+std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) const {
+  const auto drawing =
+      node == object.chain.front() ? source_of<Drawing>(studio().session().document().find(node)) : nullptr;
+  std::vector<ObjectRow> rows;
+  if (!drawing) return rows;
+  const auto result = object.chain.size() < 2 ? nullptr : studio().result(object.chain[1]);
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
+  std::map<std::string, silhouette::StrokeKind> kinds;
+  if (inflated != nullptr) kinds.insert(inflated->kinds.begin(), inflated->kinds.end());
+  std::set<std::string> used;
+  for (const Body& body : bodies_in(studio(), object, *drawing)) {
+    rows.push_back(row_of(body));
+    used.insert(body.strokes.begin(), body.strokes.end());
+  }
+  for (const Stroke& stroke : drawing->strokes) {
+    const QString name = QString::fromStdString(stroke.id);
+    if (used.contains(stroke.id)) continue;
+    const auto kind = kinds.find(stroke.id);
+    const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
+    rows.push_back(
+        {name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
+  }
+  return rows;
+}
+
+bool SilhouetteTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
+  if (!source_of<Drawing>(studio().session().document().find(node))) return false;
+  Selection selection;
+  for (const std::string& stroke : parts) selection.push_back({node, stroke});
+  studio().session().select(std::move(selection));
+  return true;
+}
+
+QString SilhouetteTool::owner_of(const NodeFinding& found) const {
+  const WorkObject* object = studio().object(found.node);
+  const auto drawing =
+      object == nullptr ? nullptr : source_of<Drawing>(studio().session().document().find(object->chain.front()));
+  if (!drawing) return {};
+  const std::vector<Body> bodies = bodies_in(studio(), *object, *drawing);
+  if (bodies.size() < 2 && studio().objects().size() < 2) return {};
+  const Body* body = body_with(bodies, strokes_of(found.finding));
+  return body == nullptr ? QString() : body->name;
 }
 
 }  // namespace croquis::app

@@ -5,6 +5,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -15,7 +16,60 @@
 namespace croquis::app {
 namespace {
 
+/// The name that the drawing gives to what these strokes make, or empty: then it is called by its first stroke.
+std::string given_name(const Drawing& drawing, const std::string& name) {
+  const bool given = std::ranges::any_of(drawing.strokes, [&](const Stroke& stroke) { return stroke.object == name; });
+  return given ? name : std::string();
+}
+
+bool is_about(const Body& body, const std::vector<std::string>& strokes) {
+  return std::ranges::any_of(strokes,
+                             [&](const std::string& stroke) { return std::ranges::count(body.strokes, stroke) > 0; });
+}
+
+/// Objects of a sketch that were joined are one body: of one colour, without lines where they meet.
+std::shared_ptr<const PolyMesh> with_shells_as_objects(const std::shared_ptr<const PolyMesh>& mesh,
+                                                       const std::vector<InflatedShell>& shells) {
+  std::map<std::string, std::int32_t> shell_of;
+  std::int32_t count = 0;
+  for (const InflatedShell& shell : shells) {
+    for (const std::string& name : shell.objects) shell_of[name] = count;
+    ++count;
+  }
+  const AttributeChannel* objects = mesh->channel("object", Domain::Face);
+  if (objects == nullptr || shell_of.size() == shells.size()) return mesh;
+  auto painted = std::make_shared<PolyMesh>(*mesh);
+  auto& labels = std::get<std::vector<std::int32_t>>(painted->channel("object", Domain::Face)->data);
+  for (std::int32_t& label : labels) label = shell_of[objects->labels.at(static_cast<std::size_t>(label))];
+  return painted;
+}
+
+using silhouette::AttachedPair;
 using silhouette::Hold;
+using silhouette::SolidAttachment;
+
+template <class Pair>
+bool names_pair(const Pair& pair, const std::string& a, const std::string& b) {
+  return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
+}
+
+Joint joint_of(const InflateResult& inflated, const AttachText& attach, bool is_final, Joint joint) {
+  const AttachedPair* entry = find_pair(attach, joint.a, joint.b);
+  joint.hold = entry == nullptr ? joint.by_itself : entry->hold;
+  const auto made = std::ranges::find_if(
+      inflated.attached, [&](const SolidAttachment& pair) { return names_pair(pair, joint.a, joint.b); });
+  const bool is_made = made != inflated.attached.end();
+  if (is_made) joint.blend = made->blend;
+  if (entry != nullptr && entry->hold == Hold::Joined) joint.blend = entry->blend;
+  if (is_final && joint.hold == Hold::Joined) joint.held = is_made && made->hold == Hold::Joined;
+  return joint;
+}
+
+AttachText without(AttachText attach, const Joint& joint) {
+  std::erase_if(attach.pairs, [&](const AttachedPair& pair) { return names_pair(pair, joint.a, joint.b); });
+  return attach;
+}
+
 using silhouette::StrokeKind;
 using Strength = SketchChip::Look::Strength;
 
@@ -44,6 +98,108 @@ double blend_after(double from, const QPointF& by) {
 }
 
 }  // namespace
+
+std::vector<Body> bodies_of(const Drawing& drawing, const Evaluation* solid) {
+  const InflateResult* inflated = result_of<InflateResult>(solid);
+  std::vector<Body> bodies;
+  if (inflated == nullptr) return bodies;
+  for (const InflatedObject& object : inflated->objects) {
+    Body body;
+    body.strokes = object.strokes;
+    const std::string given = given_name(drawing, object.name);
+    body.name =
+        given.empty() ? QObject::tr("Body %1").arg(bodies.size() + 1) : QString::fromStdString(readable_name(given));
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+QString word_of(silhouette::StrokeKind kind) {
+  switch (kind) {
+    case silhouette::StrokeKind::Visible: break;
+    case silhouette::StrokeKind::Hidden: return QObject::tr("Hidden line");
+    case silhouette::StrokeKind::Contour: return QObject::tr("Outline");
+    case silhouette::StrokeKind::Part: return QObject::tr("Part in front");
+    case silhouette::StrokeKind::Hole: return QObject::tr("Hole");
+    case silhouette::StrokeKind::Blob: return QObject::tr("Small shape");
+    case silhouette::StrokeKind::Detail: return QObject::tr("Detail");
+    case silhouette::StrokeKind::Scribble: return QObject::tr("Fur, hatching");
+    case silhouette::StrokeKind::Tube: return QObject::tr("Tube");
+    case silhouette::StrokeKind::Ignored: return QObject::tr("Left out");
+  }
+  return {};
+}
+
+const Body* body_with(const std::vector<Body>& bodies, const std::vector<std::string>& strokes) {
+  const auto body = std::ranges::find_if(bodies, [&](const Body& b) { return is_about(b, strokes); });
+  return body == bodies.end() ? nullptr : &*body;
+}
+
+LiveItem::Paint paint_of_bodies(const WorkObject& object) {
+  const InflateResult* inflated = result_of<InflateResult>(object.result.get());
+  if (inflated == nullptr) return nullptr;
+  return [result = object.result, inflated](const std::shared_ptr<const PolyMesh>& mesh) {
+    return with_shells_as_objects(mesh, inflated->shells);
+  };
+}
+
+AttachText with_object_names(AttachText attach, const InflateResult& inflated) {
+  std::map<std::string, std::string> object_of;
+  for (const InflatedObject& object : inflated.objects) {
+    for (const std::string& stroke : object.strokes) object_of.emplace(stroke, object.name);
+  }
+  for (AttachedPair& pair : attach.pairs) {
+    for (std::string* name : {&pair.a, &pair.b}) {
+      const auto object = object_of.find(*name);
+      if (object != object_of.end()) *name = object->second;
+    }
+  }
+  return attach;
+}
+
+std::vector<Joint> joints_of(const InflateResult& inflated, const AttachText& attach, bool is_final) {
+  std::vector<Joint> joints;
+  for (const SuggestedJoint& suggested : inflated.suggested) {
+    Joint joint{suggested.a, suggested.b, suggested.at};
+    if (attach.suggested) joint.by_itself = suggested.hold;
+    joints.push_back(joint_of(inflated, attach, is_final, std::move(joint)));
+  }
+  for (const SolidAttachment& pair : inflated.attached) {
+    const bool known =
+        std::ranges::any_of(joints, [&](const Joint& joint) { return names_pair(pair, joint.a, joint.b); });
+    if (!known) joints.push_back(joint_of(inflated, attach, is_final, {pair.a, pair.b, pair.at}));
+  }
+  return joints;
+}
+
+Hold next_hold(Hold hold) {
+  if (hold == Hold::Apart) return Hold::Resting;
+  return hold == Hold::Resting ? Hold::Joined : Hold::Apart;
+}
+
+AttachText with_hold(AttachText attach, const Joint& joint, Hold hold) {
+  const AttachedPair* old = find_pair(attach, joint.a, joint.b);
+  AttachedPair pair = old == nullptr ? AttachedPair() : *old;
+  pair.a = joint.a;
+  pair.b = joint.b;
+  pair.hold = hold;
+  if (hold != Hold::Joined) pair.blend = AttachedPair().blend;
+  attach = without(std::move(attach), joint);
+  if (hold != joint.by_itself) attach.pairs.push_back(std::move(pair));
+  return attach;
+}
+
+AttachText with_blend(AttachText attach, const Joint& joint, double blend) {
+  const AttachedPair* old = find_pair(attach, joint.a, joint.b);
+  AttachedPair pair = old == nullptr ? AttachedPair() : *old;
+  pair.a = joint.a;
+  pair.b = joint.b;
+  pair.hold = Hold::Joined;
+  pair.blend = std::clamp(blend, 0.0, 1.0);
+  attach = without(std::move(attach), joint);
+  attach.pairs.push_back(std::move(pair));
+  return attach;
+}
 
 SketchChips::SketchChips(Studio& studio, SketchTool& tool, Viewport& views)
     : QObject(&views),

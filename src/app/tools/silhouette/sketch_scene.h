@@ -7,12 +7,28 @@
 #include <vector>
 
 #include "app/studio/studio.h"
-#include "app/tools/silhouette/covered_pieces.h"
 #include "app/views/ink_sheet.h"
+#include "croquis/document/evaluation.h"
+#include "croquis/geometry/drawing.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
 
 namespace croquis::app {
+
+// What is covered of strokes that are drawn through behind others.
+
+/// Of a solid's result: the strokes that lie behind others which they cross in full view, and the hidden contours.
+struct CoveredStrokes {
+  std::vector<std::string> ids;
+  std::vector<std::vector<Vec2>> hidden;  ///< polylines, sketch units
+  double reach = 0;                       ///< how far a covered line may lie from its contour, which is smoothed
+};
+
+/// None for a result that isn't there, or has failed.
+CoveredStrokes covered_strokes(const Evaluation* solid);
+
+/// Whether each sample of a stroke is covered; empty where none is.
+std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered);
 
 /// A finding and where on the sketch plane it stands.
 struct FindingMark {

@@ -2,23 +2,59 @@
 #include "app/tools/subdivision/subdivision_tool.h"
 
 #include <QAction>
+#include <QHeaderView>
 #include <QMenu>
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
-#include "app/replay/replay_lookup.h"
-#include "app/tools/subdivision/chain_table.h"
-#include "app/tools/subdivision/smoothing.h"
+#include "app/panels/number_box.h"
+#include "app/replay/replays.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
+#include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/mesh_editing/mesh_edit.h"
 #include "croquis/operators/subdivide_result.h"
+#include "croquis/subdivision/shape_keeping.h"
+#include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
 namespace {
+
+const std::vector<SharpChain>& chains_of(const WorkObject* object) {
+  static const std::vector<SharpChain> none;
+  const SubdivideResult* found = object == nullptr ? nullptr : result_of<SubdivideResult>(object->result.get());
+  return found == nullptr ? none : found->chains;
+}
+
+QString chain_angle(double angle) { return number_words(angle * (180 / std::numbers::pi), 6) + "°"; }
+
+/// An id that no document reaches.
+constexpr NodeId compared_node = NodeId{1} << 62;
+
+/// The first choice is compared with the second, every other one with the first.
+std::string another_choice(const ParameterDescription& parameter, const std::string& value) {
+  const bool first = value == parameter.choices.front();
+  return parameter.choices[first && parameter.choices.size() > 1 ? 1 : 0];
+}
+
+const std::string smoothing_operation = "subdivide";
+const std::string level_parameter = "levels";
+constexpr int finest_shown = 6;  // finer levels are for files
+
+const Node* smoothing_node(const Studio& studio) {
+  const Node* node = studio.active_operation();
+  return node == nullptr || node->operation != smoothing_operation ? nullptr : node;
+}
+
+const ParameterDescription* level_description(const Studio& studio) {
+  const OperationDescription* operation = studio.description(smoothing_operation);
+  if (operation == nullptr) return nullptr;
+  return find_parameter(operation->parameters, level_parameter);
+}
 
 /// Of the chains of sharp edges, in degrees.
 std::pair<double, double> dihedral_range(const WorkObject& object) {
@@ -35,6 +71,194 @@ std::pair<double, double> dihedral_range(const WorkObject& object) {
 }
 
 }  // namespace
+
+ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
+  setObjectName("chains");
+  setAccessibleName(tr("Chains of sharp edges"));
+  setToolTip(tr("Angles at which the surface folds along the chain, on the level that is seen"));
+  setColumnCount(5);
+  setHorizontalHeaderLabels({tr("Chain"), tr("Edges"), tr("Closed"), tr("Least"), tr("Greatest")});
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setStretchLastSection(true);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(22);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setShowGrid(false);
+  connect(this, &QTableWidget::cellClicked, this, [this](int row, int) { emit chain_chosen(row); });
+}
+
+void ChainTable::show_chains(const WorkObject* object) {
+  const std::vector<SharpChain>& chains = chains_of(object);
+  setRowCount(static_cast<int>(chains.size()));
+  cage_edges_.clear();
+  for (int row = 0; row < rowCount(); ++row) {
+    const SharpChain& chain = chains[static_cast<std::size_t>(row)];
+    cage_edges_.push_back(chain.cage_edges);
+    const QStringList cells{QString::number(row + 1), QString::number(chain.edges), chain.closed ? tr("yes") : tr("no"),
+                            chain_angle(chain.least_angle), chain_angle(chain.greatest_angle)};
+    for (int column = 0; column < cells.size(); ++column) {
+      if (item(row, column) == nullptr) setItem(row, column, new QTableWidgetItem);
+      item(row, column)->setText(cells[column]);
+    }
+  }
+}
+
+std::vector<std::array<Index, 2>> ChainTable::cage_edges(int chain) const {
+  return cage_edges_.at(static_cast<std::size_t>(chain));
+}
+
+QString ChainTable::summary(const WorkObject* object) {
+  const std::vector<SharpChain>& chains = chains_of(object);
+  if (chains.empty()) return {};
+  QStringList parts{chains.size() == 1 ? tr("1 crease") : tr("%1 creases").arg(chains.size())};
+  const auto& mesh = object->cage_mesh;
+  if (mesh && !mesh->tags.pins.empty())
+    parts << (mesh->tags.pins.size() == 1 ? tr("1 pin") : tr("%1 pins").arg(mesh->tags.pins.size()));
+  return parts.join(", ");
+}
+
+Comparison::Comparison(Studio& studio, QThreadPool& threads, QObject* parent)
+    : QObject(parent), studio_(studio), item_(threads) {
+  connect(&item_, &LiveItem::ready, this, &Comparison::changed);
+}
+
+void Comparison::show(bool shown) {
+  shown_ = shown;
+  follow();
+}
+
+void Comparison::choose(const std::string& parameter, const std::string& value) {
+  parameter_ = parameter;
+  value_ = value;
+  follow();
+}
+
+QString Comparison::title() const { return title_; }
+
+void Comparison::follow() {
+  const Node* node = studio_.active_operation();
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
+  const ParameterDescription* parameter =
+      operation == nullptr ? nullptr : find_parameter(operation->parameters, parameter_);
+  if (!shown_ || parameter == nullptr || parameter->choices.empty()) {
+    object_ = 0;
+    live_.reset();
+    item_.show(nullptr, {});
+    return;
+  }
+  object_ = node->id;
+  shown_value_ =
+      value_.empty() ? another_choice(*parameter, text_of(values_of(*node, *operation), parameter_)) : value_;
+  const auto chosen = std::ranges::find(parameter->choices, shown_value_) - parameter->choices.begin();
+  const bool is_titled = chosen < std::ssize(parameter->choice_titles);
+  title_ =
+      QString::fromStdString(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown_value_);
+  Node other = *node;
+  other.id = compared_node;
+  other.parameters[parameter_] = shown_value_;
+  if (!live_) {
+    live_ = studio_.live_beside(compared_node, [this] { take(); });
+  }
+  live_->follow(studio_.session().document().with(std::move(other)));
+}
+
+void Comparison::take() {
+  const Node* node = studio_.session().document().find(object_);
+  const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
+  if (operation == nullptr || !live_ || !live_->result()) return;
+  item_.show(mesh_of(*live_->result(), *operation), {});
+  emit changed();
+}
+
+void show_smooth(Studio& studio, ChainView view) {
+  const WorkObject* object = studio.active();
+  if (object == nullptr || object->cage == 0) return;
+  NodeId node = object->node;
+  if (object->is_source()) {
+    if (view == ChainView::Cage) return;
+    const std::string label = "Smooth " + object->name;
+    AddedNode added = with_step(studio.session().document(), studio.registry(), object->cage, smoothing_operation);
+    node = added.node;
+    studio.session().edit(label, std::move(added.document));
+    studio.set_active(node);
+  }
+  studio.set_view(node, view);
+}
+
+int shown_level(const Studio& studio) {
+  const Node* node = smoothing_node(studio);
+  if (node == nullptr || level_description(studio) == nullptr) return -1;
+  return static_cast<int>(integer_of(values_of(*node, *studio.description(smoothing_operation)), level_parameter));
+}
+
+void change_level(Studio& studio, int by) {
+  const ParameterDescription* level = level_description(studio);
+  const int shown = shown_level(studio);
+  if (shown < 0) return;
+  const int finest = std::min(std::max(finest_shown, shown), static_cast<int>(level->maximum));
+  const int wanted = std::clamp(shown + by, static_cast<int>(level->minimum), finest);
+  if (wanted != shown) set_smoothing(studio, level_parameter, std::int64_t{wanted});
+}
+
+bool set_smoothing(Studio& studio, const std::string& parameter, const ParameterValue& value) {
+  const Node* node = smoothing_node(studio);
+  if (node == nullptr) return false;
+  studio.set_parameter(node->id, parameter, value, false);
+  return true;
+}
+
+void freeze_level(Studio& studio) {
+  const WorkObject* object = studio.active();
+  const bool finished = object != nullptr && !object->is_source() && object->cage != 0 && object->mesh &&
+                        object->result && !object->result->failed && object->quality == Quality::Final;
+  if (!finished) {
+    throw Error(
+        make_error(Category::Usage, "E_EMPTY", "There is no finished mesh to freeze: press 3 or fill holes first"));
+  }
+  const Document& before = studio.session().document();
+  const int level = shown_level(studio);
+  const std::string name = object->name + (level < 0 ? " filled" : " level " + std::to_string(level));
+  Node hidden = *before.find(object->node);
+  hidden.visible = false;
+  Node frozen;
+  frozen.name = free_name(before, name);
+  frozen.source = object->mesh;
+  frozen.placement = object->placement;
+  frozen.group = object->group;
+  const NodeId id = before.next_id();
+  studio.session().edit("Freeze " + name, before.with(std::move(hidden)).with(std::move(frozen)));
+  studio.set_active(id);
+  studio.session().select({{id, ""}});
+}
+
+Findings keep_selected_faces(Studio& studio, KeptShape kept) {
+  const WorkObject* object = studio.active();
+  const ComponentSelection& selected = studio.session().components();
+  const bool has_faces = object != nullptr && object->cage_mesh && selected.node == object->cage &&
+                         selected.kind == ComponentKind::Face && !selected.empty();
+  if (!has_faces) {
+    throw Error(make_error(Category::Usage, "E_EMPTY", "No faces are selected: pick those to keep first (F11)"));
+  }
+  const Document& before = studio.session().document();
+  Node cage = *before.find(object->cage);
+  if (!cage.source) {
+    throw Error(make_error(Category::Usage, "E_INPUT", "The mesh is computed: freeze its last step first"));
+  }
+  Findings notices;
+  PolyMesh mesh;
+  if (kept == KeptShape::Faces) {
+    subdivision::KeptRegion region = subdivision::keep_region(*object->cage_mesh, selected.elements);
+    notices = std::move(region.notices);
+    mesh = std::move(region.mesh);
+  } else {
+    mesh = subdivision::keep_outline(*object->cage_mesh, selected.elements);
+  }
+  cage.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  studio.session().edit(kept == KeptShape::Faces ? "Keep the shape of faces" : "Keep the outline of faces",
+                        before.with(std::move(cage)));
+  return notices;
+}
 
 SubdivisionTool::SubdivisionTool(ToolHost& host)
     : Tool(host), comparison_(host.studio(), host.viewport().objects().threads(), nullptr) {
@@ -140,12 +364,18 @@ void SubdivisionTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
   wanted.by = comparison_.item();
 }
 
-QString SubdivisionTool::view_title(int view) const { return view == ComparisonView ? comparison_.title() : QString(); }
+ViewUse SubdivisionTool::use_of(int view) const {
+  ViewUse use;
+  if (view == ComparisonView) use.title = comparison_.title();
+  return use;
+}
 
-Expectations SubdivisionTool::expectations() {
-  Expectations own;
-  own.ranges["dihedral"] = [this](const std::string& node) { return dihedral_range(object_named(studio(), node)); };
-  return own;
+void SubdivisionTool::follow(Change change) {
+  if (change == Change::Document) comparison_.follow();
+}
+
+void SubdivisionTool::make_replays(Replays& replays) {
+  replays.ranges["dihedral"] = [this](const std::string& node) { return dihedral_range(object_named(studio(), node)); };
 }
 
 }  // namespace croquis::app

@@ -5,13 +5,71 @@
 #include <QObject>
 #include <QTimer>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <unordered_map>
 
-#include "app/tools/surface/drawable_meshes.h"
+#include "app/studio/studio.h"
 #include "app/tools/surface/network_scene.h"
+#include "croquis/tools/mesh/mesh_pick.h"
 #include "croquis/tools/pointer/pen.h"
+#include "croquis/tools/surface/surface_sight.h"
 
 namespace croquis::app {
+
+/// The other objects' meshes, which curves can be drawn on. Pickers are kept until a mesh changes. One thread.
+class DrawableMeshes {
+ public:
+  explicit DrawableMeshes(const Studio& studio) : studio_(studio) {}
+
+  /// @param ray    in the world
+  /// @param except an object: the one that is drawn
+  std::optional<MeshHit> under(const Ray& ray, NodeId except);
+
+ private:
+  struct Kept {
+    std::shared_ptr<const PolyMesh> mesh;
+    std::unique_ptr<MeshPicker> picker;
+  };
+  MeshPicker& picker_of(const WorkObject& object);
+
+  const Studio& studio_;
+  std::map<NodeId, Kept> kept_;
+};
+
+/// The surfaces as they were computed last, for the tool that draws on them.
+class NetworkSight final : public SurfaceSight {
+ public:
+  /// @param object whose surfaces these are. @param meshes outlive this
+  NetworkSight(ShownSurface shown, NodeId object, DrawableMeshes& meshes)
+      : shown_(std::move(shown)), object_(object), meshes_(meshes) {}
+
+  std::optional<SurfaceHit> patch_under(const Ray& ray) const override;
+  std::optional<MeshHit> mesh_under(const Ray& ray) const override;
+  std::optional<Vec3> normal_at(const std::string& point) const override;
+  std::optional<double> radius_of(const std::string& point) const override;
+  std::vector<Vec3> ring_of(const std::string& point, double radius) const override;
+  std::optional<SlopeFrame> slope_at(const std::string& face, const std::string& curve, double at) const override;
+
+ private:
+  /// A point attribute as its face has it.
+  struct Placed {
+    const FaceSurface* face = nullptr;
+    std::size_t index = 0;
+
+    const PlacedPoint& point() const { return face->points()[index]; }
+  };
+  std::optional<Placed> placed(const std::string& point) const;
+  const FaceSurface* surface_of(Index face) const;
+  MeshPicker& picker() const;
+  std::optional<Vec2> domain_place(const SurfacePart& part, Index triangle, const Vec3& place) const;
+
+  ShownSurface shown_;
+  NodeId object_;
+  DrawableMeshes& meshes_;
+  mutable std::unique_ptr<MeshPicker> picker_;  ///< made when it is first needed
+};
 
 class Viewport;
 

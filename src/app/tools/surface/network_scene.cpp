@@ -2,10 +2,12 @@
 #include "app/tools/surface/network_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
-#include "app/tools/surface/network_paths.h"
+#include <Eigen/LU>
+
 #include "app/views/render_color.h"
 #include "app/window/theme.h"
 
@@ -67,6 +69,99 @@ std::optional<Vec3> place_of(const Finding& finding, const AttributeNetwork& net
 }
 
 }  // namespace
+
+render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed) {
+  render::LinePath path;
+  path.closed = closed;
+  path.points.reserve(places.size());
+  for (const Vec3& place : places) path.points.push_back({to_glm(to_world(place)), 1, {}});
+  return path;
+}
+
+render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
+  return path_through(traced_curve(network, curve), to_world);
+}
+
+render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color) {
+  render::Mark mark;
+  mark.position = to_glm(world);
+  mark.shape = shape;
+  mark.size = size;
+  mark.color = to_color(color);
+  return mark;
+}
+
+render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
+  return paths.empty() ? nullptr : render::make_line_item(paths, style);
+}
+
+render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks) {
+  return marks.empty() ? nullptr : render::make_mark_item(marks);
+}
+
+render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world) {
+  constexpr int squares = 10;         // on either side of the middle
+  constexpr double least_size = 200;  // model units: as far as an empty view shows
+  constexpr int line_alpha = 60, axis_alpha = 130;
+  const double reach = drawn.empty() ? least_size : std::max(glm::length(drawn.max - drawn.min), 1e-6);
+  const double step = std::pow(5, std::round(std::log(reach / squares) / std::log(5)));
+  std::vector<render::LinePath> lines;
+  for (int k = -squares; k <= squares; ++k) {
+    const double at = k * step, end = squares * step;
+    lines.push_back(path_through({Vec3(at, -end, 0), Vec3(at, end, 0)}, to_world));
+    lines.push_back(path_through({Vec3(-end, at, 0), Vec3(end, at, 0)}, to_world));
+    for (auto line = lines.end() - 2; k == 0 && line != lines.end(); ++line)
+      for (render::LinePoint& point : line->points) point.color = to_color(colors::guide, axis_alpha);
+  }
+  return lines_of(lines, {1, to_color(colors::guide, line_alpha), {}, render::LineDepth::Tested});
+}
+
+Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
+  const std::vector<Vec3> places = traced_curve(network, curve, 2);
+  return to_world(places.size() == 2 ? Vec3((places[0] + places[1]) / 2) : places[places.size() / 2]);
+}
+
+Vec3 middle_of_face(const AttributeNetwork& network, Index face, const Affine3& to_world) {
+  Vec3 sum = Vec3::Zero();
+  for (const AttributeSide& side : network.faces[face].loop) sum += start_place(network, side);
+  const std::size_t corners = network.faces[face].loop.size();
+  return to_world(corners == 0 ? sum : Vec3(sum / static_cast<double>(corners)));
+}
+
+Index ShownSurface::face(const std::string& id) const { return find_element(network(), NetworkElement::Face, id); }
+
+Index ShownSurface::curve(const std::string& id) const { return find_element(network(), NetworkElement::Curve, id); }
+
+Index ShownSurface::point(const std::string& id) const { return find_element(network(), NetworkElement::Point, id); }
+
+Affine3 inverse_of(const Affine3& map) {
+  if (map.is_identity()) return map;
+  Affine3 inverse;
+  inverse.linear = map.linear.inverse();
+  inverse.offset = -inverse.linear * map.offset;
+  return inverse;
+}
+
+Affine3 placement_of(const Document& document, NodeId network, NodeId operation) {
+  const Node* source = document.find(network);
+  const Node* step = document.find(operation);
+  const Affine3 own = source == nullptr ? Affine3() : source->transform;
+  return step == nullptr ? own : composed(step->transform, own);
+}
+
+ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation) {
+  const Document& document = studio.session().document();
+  ShownSurface shown;
+  shown.to_mesh = shown.to_world = placement_of(document, network, operation);
+  if (const Node* source = document.find(network)) {
+    shown.to_result = source->transform;
+    shown.to_world = composed(source->placement.map(), shown.to_mesh);
+  }
+  shown.result = operation == 0 ? nullptr : studio.result(operation);
+  shown.found = result_of<SurfaceResult>(shown.result.get());
+  shown.mesh = shown.found == nullptr ? nullptr : studio.mesh_at(operation);
+  return shown;
+}
 
 QColor jump_color(double degrees) {
   const double share = std::clamp((degrees - told_degrees) / (greatest_told - told_degrees), 0.0, 1.0);

@@ -3,13 +3,71 @@
 
 #include <QColor>
 #include <QString>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "app/tools/surface/shown_surface.h"
+#include "app/studio/studio.h"
+#include "croquis/attribute_surface/network_elements.h"
+#include "croquis/geometry/affine3.h"
+#include "croquis/operators/surface_result.h"
+#include "croquis/render/line_item.h"
+#include "croquis/render/mark_item.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/surface/surface_tool.h"
 
 namespace croquis::app {
+
+// Elements of a network as lines and marks of the renderer.
+
+/// Along a curve.
+render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world);
+
+render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed = false);
+
+render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color);
+
+/// Null where there is nothing to draw: items of nothing cost draw calls.
+render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style);
+render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks);
+
+/// Squares on the plane z = 0 of the network's own space, around what is drawn: what strokes lie on that begin on
+/// nothing.
+render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world);
+
+/// Halfway along a curve, or where its control points are, if it is of no length. World.
+Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world);
+
+/// The mean of a face's corners. World.
+Vec3 middle_of_face(const AttributeNetwork& network, Index face, const Affine3& to_world);
+
+/// What is known of the surfaces of a network, as they were computed last: maybe of the network as it was a moment ago.
+struct ShownSurface {
+  std::shared_ptr<const Evaluation> result;  ///< keeps all the rest
+  const SurfaceResult* found = nullptr;      ///< null before the first one
+  std::shared_ptr<const PolyMesh> mesh;      ///< in the object's space
+  Affine3 to_result;                         ///< from the network's own space to the result's
+  Affine3 to_mesh;                           ///< … to that of the mesh
+  Affine3 to_world;                          ///< … to the model's, where the object stands
+
+  explicit operator bool() const { return found != nullptr; }
+  const AttributeNetwork& network() const { return *found->network; }
+  const AttributeSurface& surface() const { return *found->surface; }
+
+  // Indices into that network, no_index where it has no such element.
+  Index face(const std::string& id) const;
+  Index curve(const std::string& id) const;
+  Index point(const std::string& id) const;
+};
+
+/// @param network source. @param operation that it goes to; 0 for none
+ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation);
+
+/// From a network's own space to that of the mesh.
+Affine3 placement_of(const Document& document, NodeId network, NodeId operation);
+
+/// The inverse. @param map invertible
+Affine3 inverse_of(const Affine3& map);
 
 /// A sentence or number that stands at a place of the world.
 struct PlacedText {

@@ -52,6 +52,13 @@ void SurfaceDrawingTool::make_actions(ActionList& actions) {
   make_element_actions(actions);
   make_view_actions(actions);
   make_source_actions(actions);
+  for (const auto& [key, name] : {std::pair{Qt::Key_P, "patch"},
+                                  {Qt::Key_T, "surface-point"},
+                                  {Qt::Key_I, "inner-curve"},
+                                  {Qt::Key_U, "compare-uniform"},
+                                  {Qt::Key_S, "toggle-join"},
+                                  {Qt::Key_J, "normal-jump"}})
+    set_key(key, [action = host().action(name)] { action->trigger(); });
 }
 
 void SurfaceDrawingTool::make_mode_actions(ActionList& actions) {
@@ -223,18 +230,6 @@ QStringList SurfaceDrawingTool::marking_menu(int view) const {
   if (!works_in(view)) return {};
   return {"fill-loop",     "toggle-join",    "surface-point", "split-element",
           "merge-patches", "symmetric-edit", "draw",          "select"};
-}
-
-bool SurfaceDrawingTool::takes_key(int key) const {
-  constexpr std::array letters{Qt::Key_P, Qt::Key_T, Qt::Key_I, Qt::Key_U, Qt::Key_S, Qt::Key_J};
-  return std::ranges::find(letters, key) != letters.end();
-}
-
-void SurfaceDrawingTool::press_key(int key) {
-  static const std::map<int, QString> names{{Qt::Key_P, "patch"},       {Qt::Key_T, "surface-point"},
-                                            {Qt::Key_I, "inner-curve"}, {Qt::Key_U, "compare-uniform"},
-                                            {Qt::Key_S, "toggle-join"}, {Qt::Key_J, "normal-jump"}};
-  host().action(names.at(key))->trigger();
 }
 
 }  // namespace croquis::app

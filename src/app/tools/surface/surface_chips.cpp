@@ -12,6 +12,53 @@
 namespace croquis::app {
 namespace {
 
+constexpr std::size_t most_loop_curves = 64;
+
+QString counted_text(std::size_t count, const QString& one, const QString& many) {
+  return count == 1 ? one : many.arg(count);
+}
+
+NetworkState state_of_curves(const AttributeNetwork& network) {
+  if (network.curves.empty()) return {};
+  return {counted_text(network.curves.size(), QObject::tr("1 curve"), QObject::tr("%1 curves")) +
+              QObject::tr(", no patch yet: P and a click inside a loop makes one"),
+          false,
+          {}};
+}
+
+/// Faces that have no surface, as far as that is known.
+std::size_t failed_count(const AttributeNetwork& network, const ShownSurface& shown) {
+  return static_cast<std::size_t>(std::ranges::count_if(network.faces, [&](const AttributeFace& face) {
+    const Index tried = shown ? shown.face(face.id) : no_index;
+    return tried != no_index && !shown.surface().faces[tried].surface;
+  }));
+}
+
+/// Ends of these curves at which none of the others ends.
+std::vector<Vec3> open_ends(const AttributeNetwork& network, const std::vector<Index>& curves, double tolerance) {
+  std::vector<Vec3> ends, open;
+  for (const Index curve : curves) {
+    ends.push_back(start_place(network, {curve, false}));
+    ends.push_back(end_place(network, {curve, false}));
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    bool met = false;
+    for (std::size_t j = 0; j < ends.size(); ++j) met = met || (i != j && (ends[i] - ends[j]).norm() <= tolerance);
+    if (!met) open.push_back(ends[i]);
+  }
+  return open;
+}
+
+bool is_loop_of_face(const AttributeNetwork& network, std::vector<Index> curves) {
+  std::ranges::sort(curves);
+  return std::ranges::any_of(network.faces, [&](const AttributeFace& face) {
+    std::vector<Index> loop;
+    for (const AttributeSide& side : face.loop) loop.push_back(side.curve);
+    std::ranges::sort(loop);
+    return loop == curves;
+  });
+}
+
 constexpr double state_margin = 10;  // logical pixels
 constexpr double network_hint_height = 70;
 constexpr const char* network_hint_style = "color: #6d7683; background: transparent; font-size: 15px";
@@ -32,33 +79,79 @@ QString offset_number(double value) { return number_words(value, 2); }
 
 }  // namespace
 
+NetworkElements elements_in(const Finding& finding, const AttributeNetwork& network) {
+  NetworkElements elements;
+  const auto add = [&](SubjectKind wanted, NetworkElement kind) {
+    for (const Subject& subject : finding.subjects) {
+      if (subject.kind == wanted && find_element(network, kind, subject.id) != no_index)
+        elements.of(kind).push_back(subject.id);
+    }
+  };
+  add(SubjectKind::Node, NetworkElement::Node);
+  add(SubjectKind::Curve, NetworkElement::Curve);
+  add(SubjectKind::Face, NetworkElement::Face);
+  add(SubjectKind::Point, NetworkElement::Point);
+  return elements;
+}
+
+NetworkState network_state(const AttributeNetwork& network, const ShownSurface& shown, const Findings& findings) {
+  if (network.faces.empty()) return state_of_curves(network);
+  const auto worst = [&](Severity severity) { return std::ranges::find(findings, severity, &Finding::severity); };
+  const std::size_t failed = failed_count(network, shown);
+  if (const auto error = worst(Severity::Error); error != findings.end()) {
+    const QString sentence = QString::fromStdString(error->message);
+    return {failed == 0 ? sentence
+                        : counted_text(failed, QObject::tr("1 patch can't be made: "),
+                                       QObject::tr("%1 patches can't be made: ")) +
+                              sentence,
+            false, elements_in(*error, network)};
+  }
+  if (const auto warning = worst(Severity::Warning); warning != findings.end())
+    return {QString::fromStdString(warning->message), false, elements_in(*warning, network)};
+  return {counted_text(network.faces.size(), QObject::tr("1 patch"), QObject::tr("%1 patches")), true, {}};
+}
+
+std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::vector<std::string>& ids) {
+  std::vector<Index> curves;
+  LoopState state;
+  for (const std::string& id : ids) {
+    const Index curve = find_element(network, NetworkElement::Curve, id);
+    if (curve == no_index) continue;
+    curves.push_back(curve);
+    state.middle += (start_place(network, {curve, false}) + end_place(network, {curve, false})) / 2;
+  }
+  if (curves.size() < 2 || curves.size() > most_loop_curves || is_loop_of_face(network, curves)) return std::nullopt;
+  state.middle /= static_cast<double>(curves.size());
+  const double tolerance = tolerance_of(network);
+  const SortedLoop loop = sort_loop(network, curves, tolerance);
+  state.closed = loop.closed();
+  if (state.closed) return state;
+  const std::vector<Vec3> open = open_ends(network, curves, tolerance);
+  if (open.size() == 2) {
+    state.gap = (open[0] + open[1]) / 2;
+    state.sentence = QObject::tr("Gap of %1").arg(number_words((open[1] - open[0]).norm()));
+  } else if (!loop.findings.empty()) {
+    state.sentence = QString::fromStdString(loop.findings.front().message);
+  }
+  return state;
+}
+
 SurfaceChips::SurfaceChips(NetworkInteraction& network, const UniformGhost& ghost, Viewport& views)
     : QObject(&views),
       network_(network),
       ghost_(ghost),
       views_(views),
-      hint_(make_chip_label(views, network_hint_style)),
-      sentence_(make_chip("network-state")),
-      patch_(make_chip("patch-chip")),
-      gap_(make_chip_label(views, lacking_style)) {
-  hint_->setObjectName("network-hint");
+      chips_(views),
+      hint_(chips_.label("network-hint", network_hint_style)),
+      sentence_(chips_.button("network-state", "",
+                              [this] {
+                                if (!state_.elements.empty()) emit elements_wanted(state_.elements);
+                              })),
+      patch_(chips_.button("patch-chip", offer_style, [this] { emit patch_wanted(); })),
+      gap_(chips_.label("gap-chip", lacking_style)) {
   hint_->setText(tr("Draw a curve: it lies on the ground, on what is under the pen, or between the curves it meets"));
-  gap_->setObjectName("gap-chip");
   patch_->setText(tr("Patch (Enter)"));
   patch_->setToolTip(tr("The closed loop of curves becomes the border of one smooth patch"));
-  patch_->setStyleSheet(offer_style);
-  connect(patch_, &QToolButton::clicked, this, &SurfaceChips::patch_wanted);
-  connect(sentence_, &QToolButton::clicked, this, [this] {
-    if (!state_.elements.empty()) emit elements_wanted(state_.elements);
-  });
-}
-
-QToolButton* SurfaceChips::make_chip(const QString& name) {
-  auto* button = new QToolButton(&views_);
-  button->setObjectName(name);
-  button->setFocusPolicy(Qt::NoFocus);
-  button->hide();
-  return button;
 }
 
 void SurfaceChips::follow() {
@@ -73,67 +166,53 @@ void SurfaceChips::follow() {
   loop_ = loop_state(network, selected.empty() ? offered_ : selected.curves);
 }
 
-/// Chips that stay are never hidden meanwhile: a button would forget that it is pressed.
 void SurfaceChips::place(ChipPlaces& places, bool shown) {
-  placed_.clear();
+  chips_.begin(places);
   view_ = places.layout().alone() >= 0 ? places.layout().alone() : PerspectiveView;
-  if (shown && places.scene_pane().visible()) {
-    place_hint(places);
-    place_state(places);
-    if (!network_.down()) place_loop(places);
-    place_numbers(places);
+  const ViewPane& pane = places.scene_pane();
+  if (shown && pane.visible()) {
+    place_hint(pane.rect);
+    place_state(pane.rect);
+    if (!network_.down()) place_loop(pane);
+    place_numbers(pane);
   }
-  std::vector<QWidget*> all{hint_, sentence_, patch_, gap_};
-  all.insert(all.end(), labels_.begin(), labels_.end());
-  for (QWidget* chip : all) {
-    if (std::ranges::find(placed_, chip) == placed_.end()) chip->hide();
-  }
-}
-
-void SurfaceChips::put(ChipPlaces& places, QWidget& chip, const QPointF& at, const QRectF& bounds) {
-  places.put(chip, at, bounds);
-  placed_.push_back(&chip);
+  chips_.end();
 }
 
 /// Beside a place of the model, where it is seen.
-void SurfaceChips::put_at(ChipPlaces& places, QWidget& chip, const Vec3& world) {
+void SurfaceChips::put_at(const ViewPane& pane, QWidget& chip, const Vec3& world) {
   constexpr QPointF beside(12, -10);
-  const ViewPane& pane = places.scene_pane();
   const auto seen = views_.frame_of(view_).project(world);
   const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
-  if (seen && pane.rect.contains(at)) put(places, chip, at + beside, pane.rect);
+  if (seen && pane.rect.contains(at)) chips_.put(chip, at + beside, pane.rect);
 }
 
-void SurfaceChips::place_hint(ChipPlaces& places) {
-  if (!network_.network().curves.empty() || network_.down()) return;
-  hint_->adjustSize();
-  const QRectF& rect = places.scene_pane().rect;
-  put(places, *hint_, QPointF(rect.center().x() - hint_->width() / 2.0, rect.bottom() - network_hint_height), rect);
+void SurfaceChips::place_hint(const QRectF& rect) {
+  if (network_.network().curves.empty() && !network_.down())
+    chips_.put_in_middle(*hint_, rect.bottom() - network_hint_height, rect);
 }
 
-void SurfaceChips::place_state(ChipPlaces& places) {
+void SurfaceChips::place_state(const QRectF& rect) {
   if (state_.sentence.isEmpty()) return;
   const char* style = state_.sound ? sound_style : lacking_style;
   if (sentence_->styleSheet() != style) sentence_->setStyleSheet(style);
-  const QRectF& rect = places.scene_pane().rect;
   const int room = static_cast<int>(rect.width() - 8 * state_margin);
   sentence_->setText(sentence_->fontMetrics().elidedText(state_.sentence, Qt::ElideRight, room));
   sentence_->setToolTip(state_.elements.empty() ? QString() : state_.sentence + "\n" + tr("Click to see where"));
-  sentence_->adjustSize();
-  put(places, *sentence_, QPointF(rect.center().x() - sentence_->width() / 2.0, rect.top() + state_margin), rect);
+  chips_.put_in_middle(*sentence_, rect.top() + state_margin, rect);
 }
 
 /// On the selected curves: that they are a loop, or what they lack.
-void SurfaceChips::place_loop(ChipPlaces& places) {
+void SurfaceChips::place_loop(const ViewPane& pane) {
   if (!loop_) return;
   if (loop_->closed) {
     patch_->adjustSize();
-    return put_at(places, *patch_, network_.to_world()(loop_->middle));
+    return put_at(pane, *patch_, network_.to_world()(loop_->middle));
   }
   if (loop_->sentence.isEmpty()) return;
   gap_->setText(loop_->sentence);
   gap_->adjustSize();
-  put_at(places, *gap_, network_.to_world()(loop_->gap.value_or(loop_->middle)));
+  put_at(pane, *gap_, network_.to_world()(loop_->gap.value_or(loop_->middle)));
 }
 
 std::vector<PlacedText> SurfaceChips::numbers() const {
@@ -161,13 +240,12 @@ std::vector<PlacedText> SurfaceChips::numbers() const {
 
 QLabel& SurfaceChips::label(std::size_t number) {
   while (labels_.size() <= number) {
-    labels_.push_back(make_chip_label(views_, ""));
-    labels_.back()->setObjectName("network-number");
+    labels_.push_back(chips_.label("network-number", ""));
   }
   return *labels_[number];
 }
 
-void SurfaceChips::place_numbers(ChipPlaces& places) {
+void SurfaceChips::place_numbers(const ViewPane& pane) {
   std::size_t used = 0;
   for (const PlacedText& number : numbers()) {
     QLabel& chip = label(used++);
@@ -175,7 +253,7 @@ void SurfaceChips::place_numbers(ChipPlaces& places) {
     if (chip.styleSheet() != style) chip.setStyleSheet(style);
     chip.setText(number.text);
     chip.adjustSize();
-    put_at(places, chip, number.at);
+    put_at(pane, chip, number.at);
   }
 }
 

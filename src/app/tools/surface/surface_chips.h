@@ -2,17 +2,43 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "app/tools/surface/domain_panel.h"
 #include "app/tools/surface/network_interaction.h"
-#include "app/tools/surface/network_state.h"
-#include "app/tools/surface/uniform_ghost.h"
-#include "app/views/chip_places.h"
+#include "app/tools/surface/network_scene.h"
+#include "app/views/view_chips.h"
+#include "croquis/attribute_surface/loop_search.h"
 
 class QLabel;
 class QToolButton;
 
 namespace croquis::app {
+
+/// How far a network is, in one sentence.
+struct NetworkState {
+  QString sentence;
+  bool sound = false;        ///< all that is there could be made
+  NetworkElements elements;  ///< that the sentence is about
+};
+NetworkState network_state(const AttributeNetwork& network, const ShownSurface& shown, const Findings& findings);
+
+/// What the selected curves lack to be a loop.
+struct LoopState {
+  bool closed = false;
+  std::optional<Vec3> gap;  ///< the middle of the only gap, in the network's own space
+  QString sentence;         ///< what is missing; empty when it is closed
+  Vec3 middle = Vec3::Zero();
+};
+
+/// @param curves selected. @return none where they aren't meant as a loop: fewer than two, or one that has a face
+std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::vector<std::string>& curves);
+
+/// The elements of a network that a finding is about.
+NetworkElements elements_in(const Finding& finding, const AttributeNetwork& network);
 
 class Viewport;
 
@@ -38,14 +64,12 @@ class SurfaceChips : public QObject {
   void elements_wanted(const croquis::NetworkElements& elements);  ///< selected, and looked at
 
  private:
-  QToolButton* make_chip(const QString& name);
   QLabel& label(std::size_t number);
-  void put(ChipPlaces& places, QWidget& chip, const QPointF& at, const QRectF& bounds);
-  void put_at(ChipPlaces& places, QWidget& chip, const Vec3& world);
-  void place_hint(ChipPlaces& places);
-  void place_state(ChipPlaces& places);
-  void place_loop(ChipPlaces& places);
-  void place_numbers(ChipPlaces& places);
+  void put_at(const ViewPane& pane, QWidget& chip, const Vec3& world);
+  void place_hint(const QRectF& rect);
+  void place_state(const QRectF& rect);
+  void place_loop(const ViewPane& pane);
+  void place_numbers(const ViewPane& pane);
   std::vector<PlacedText> numbers() const;
 
   NetworkInteraction& network_;
@@ -55,7 +79,7 @@ class SurfaceChips : public QObject {
   NetworkState state_;
   std::optional<LoopState> loop_;
   std::vector<std::string> offered_;
-  std::vector<QWidget*> placed_;  ///< this time
+  ChipSet chips_;
   QLabel* hint_;
   QToolButton* sentence_;
   QToolButton* patch_;

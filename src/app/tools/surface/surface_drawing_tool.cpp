@@ -3,21 +3,36 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMetaObject>
 #include <QScrollArea>
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
 
-#include "app/tools/surface/domain_panel.h"
-#include "app/tools/surface/network_paths.h"
+#include "app/replay/replays.h"
+#include "app/tools/surface/network_scene.h"
 #include "app/tools/surface/surface_panel.h"
+#include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
 #include "croquis/tools/recording/general_steps.h"
+#include "croquis/tools/surface/surface_tool.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
+
+/// Where the operation stands in the document that is evaluated for it; comparisons and previews stand elsewhere.
+constexpr NodeId taking_node = NodeId{1} << 60;
+
+/// The network that an evaluation gives, or null.
+std::shared_ptr<const AttributeNetwork> network_in(const Evaluation& evaluation) {
+  for (const auto& [port, value] : evaluation.outputs) {
+    if (auto network = value.as<AttributeNetwork>()) return network;
+  }
+  return nullptr;
+}
 
 constexpr double ghost_opacity = 0.4;
 constexpr double around_elements = 0.35;  // of the network's size, at least, where elements are looked at
@@ -32,19 +47,84 @@ std::optional<SurfaceMode> surface_mode(const QString& mode) {
   return found == modes.end() ? std::nullopt : std::optional(found->second);
 }
 
-QScrollArea* scrolled(QWidget* panel) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel);
-  return scroll;
+const ShownSurface& required_surface(const NetworkInteraction& network) {
+  if (!network.shown()) refuse_replay("The surfaces aren't computed yet");
+  return network.shown();
+}
+
+const DomainComparison& required_comparison(const UniformGhost& ghost) {
+  if (ghost.compared() == nullptr) refuse_replay("The uniform domain isn't shown");
+  return ghost.compared()->comparison;
 }
 
 }  // namespace
 
+std::vector<const OperationDescription*> CurveTaking::ways() const {
+  std::vector<const OperationDescription*> found;
+  for (const OperationDescription& operation : studio_.registry().descriptions()) {
+    const PortDescription* output = main_output(operation);
+    if (output != nullptr && output->type == ValueType::AttributeNetwork) found.push_back(&operation);
+  }
+  return found;
+}
+
+/// The step nearest to the chain's end that gives what the operation takes.
+std::optional<Link> CurveTaking::source_for(const OperationDescription& operation) const {
+  const PortDescription* input = main_input(operation);
+  const WorkObject* object = studio_.active();
+  if (input == nullptr || object == nullptr) return std::nullopt;
+  for (auto step = object->chain.rbegin(); step != object->chain.rend(); ++step) {
+    const Node* node = studio_.session().document().find(*step);
+    const auto link = node == nullptr ? std::nullopt : link_to(*node, studio_.registry(), input->type);
+    if (link) return link;
+  }
+  return std::nullopt;
+}
+
+bool CurveTaking::can_take(const OperationDescription& operation) const { return source_for(operation).has_value(); }
+
+void CurveTaking::take(const std::string& id) {
+  const OperationDescription* operation = studio_.description(id);
+  const auto source = operation == nullptr ? std::nullopt : source_for(*operation);
+  if (!source) return;
+  Node node;
+  node.id = taking_node;
+  node.name = operation->id;
+  node.operation = operation->id;
+  node.version = operation->version;
+  node.inputs[main_input(*operation)->name] = *source;
+  placement_ = studio_.active()->placement;
+  name_ = "Curves of " + studio_.active()->name;
+  live_ = studio_.live_beside(taking_node, [this] { follow(); });
+  live_->follow(studio_.session().document().with(std::move(node)));
+}
+
+void CurveTaking::follow() {
+  if (!live_ || !live_->result() || live_->busy()) return;
+  const auto result = live_->result();
+  // Not from inside of its own call.
+  QMetaObject::invokeMethod(
+      this, [gone = std::shared_ptr<LiveNode>(std::move(live_))] { (void)gone; }, Qt::QueuedConnection);
+  const auto network = result->failed ? nullptr : network_in(*result);
+  if (!network) {
+    emit failed(result->findings);
+    return;
+  }
+  SurfaceToolOptions options = studio_.network_options();
+  const Document& document = studio_.session().document();
+  options.name = free_name(document, name_);
+  const NodeId node = document.next_id();
+  AttributeNetwork lying = transformed(*network, inverse_of(upright_placement()));
+  Document taken_from = studio_.with_network(document, std::move(lying), options);
+  Node placed = *taken_from.find(node);
+  placed.placement = placement_;
+  studio_.session().edit("Take curves", taken_from.with(std::move(placed)));
+  studio_.session().select({{node, ""}});
+  emit taken();
+}
+
 SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
-    : Tool(host),
+    : Tool(host, "Surfaces from curves"),
       network_(host.studio(), host.viewport()),
       taking_(host.studio()),
       chips_(network_, ghost_, host.viewport()) {
@@ -75,7 +155,7 @@ SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
 
 void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   const auto action = [this](const QString& name) { return host().action(name); };
-  panel_ = new SurfacePanel(network_, action);
+  panel_ = make_surface_panel(network_, action);
   domain_panel_ = new DomainPanel(network_, ghost_, host().action("compare-uniform"));
   docks_ = &docks;
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
@@ -113,10 +193,8 @@ void SurfaceDrawingTool::take(const PointerEvent& event) {
   network_.take(event);
 }
 
-bool SurfaceDrawingTool::needs_every_move() const { return network_.tool().mode() == SurfaceMode::Draw; }
-
-Qt::CursorShape SurfaceDrawingTool::cursor(int) const {
-  return mode() == select_mode ? Qt::ArrowCursor : Qt::CrossCursor;
+ViewUse SurfaceDrawingTool::use_of(int) const {
+  return {mode() == select_mode ? Qt::ArrowCursor : Qt::CrossCursor, network_.tool().mode() == SurfaceMode::Draw};
 }
 
 QString SurfaceDrawingTool::no_patch_help() {
@@ -149,35 +227,27 @@ QString SurfaceDrawingTool::help() const {
 
 // ---- Keys
 
-bool SurfaceDrawingTool::select_all() {
-  if (!works_in(PerspectiveView)) return false;
-  NetworkElements all;
-  for (const NetworkElement kind : {NetworkElement::Node, NetworkElement::Curve, NetworkElement::Point})
-    all.of(kind) = element_ids(network_.network(), kind);
-  host().set_mode(select_mode);
-  network_.act([&](SurfaceTool& tool) { return tool.choose(all); });
-  return true;
-}
-
-bool SurfaceDrawingTool::select_none() {
-  if (!is_there() || network_.tool().selected().empty()) return false;
-  network_.act([](SurfaceTool& tool) { return tool.choose({}); });
-  return true;
-}
-
-bool SurfaceDrawingTool::delete_selection() {
-  if (!is_there() || network_.tool().selected().empty()) return false;
-  network_.act([](SurfaceTool& tool) { return tool.delete_selected(); });
+bool SurfaceDrawingTool::command(EditCommand command) {
+  const bool works = works_in(PerspectiveView);
+  if (command == EditCommand::SelectAll && works) {
+    NetworkElements all;
+    for (const NetworkElement kind : {NetworkElement::Node, NetworkElement::Curve, NetworkElement::Point})
+      all.of(kind) = element_ids(network_.network(), kind);
+    host().set_mode(select_mode);
+    network_.act([&](SurfaceTool& tool) { return tool.choose(all); });
+    return true;
+  }
+  if (command == EditCommand::Accept && works && host().action("fill-loop")->isEnabled()) {
+    host().action("fill-loop")->trigger();
+    return true;
+  }
+  const bool deletes = command == EditCommand::Delete;
+  if (!has_selection() || !(deletes || command == EditCommand::SelectNone)) return false;
+  network_.act([=](SurfaceTool& tool) { return deletes ? tool.delete_selected() : tool.choose({}); });
   return true;
 }
 
 bool SurfaceDrawingTool::has_selection() const { return is_there() && !network_.tool().selected().empty(); }
-
-bool SurfaceDrawingTool::accept() {
-  if (!works_in(PerspectiveView) || !host().action("fill-loop")->isEnabled()) return false;
-  host().action("fill-loop")->trigger();
-  return true;
-}
 
 bool SurfaceDrawingTool::open_step(const Node& step) {
   const OperationDescription* operation = studio().description(step.operation);
@@ -218,7 +288,7 @@ std::optional<SelectionFrame> SurfaceDrawingTool::selection_frame(int) const {
   const NetworkElements selected = network_.tool().selected();
   SelectionFrame frame;
   const auto add_curve = [&](Index curve) {
-    for (const Vec3& place : traced_curve(network, curve)) frame.bounds.add(world_place(to_world(place)));
+    for (const Vec3& place : traced_curve(network, curve)) frame.bounds.add(to_glm(to_world(place)));
   };
   for (const std::string& id : selected.curves) add_curve(require_element(network, NetworkElement::Curve, id));
   for (const std::string& id : selected.faces) {
@@ -226,9 +296,9 @@ std::optional<SelectionFrame> SurfaceDrawingTool::selection_frame(int) const {
     for (const AttributeSide& side : face.loop) add_curve(side.curve);
   }
   for (const std::string& id : selected.nodes)
-    frame.bounds.add(world_place(to_world(network.nodes[require_element(network, NetworkElement::Node, id)].point)));
+    frame.bounds.add(to_glm(to_world(network.nodes[require_element(network, NetworkElement::Node, id)].point)));
   for (const std::string& id : selected.points)
-    frame.bounds.add(world_place(to_world(network.points[require_element(network, NetworkElement::Point, id)].point)));
+    frame.bounds.add(to_glm(to_world(network.points[require_element(network, NetworkElement::Point, id)].point)));
   if (frame.bounds.empty()) return std::nullopt;
   const glm::dvec3 middle = frame.bounds.center();
   const auto& all = network_.scene().bounds();
@@ -242,17 +312,10 @@ void SurfaceDrawingTool::place_chips(ChipPlaces& places) { chips_.place(places, 
 
 // ---- The flow
 
-void SurfaceDrawingTool::follow_document() {
-  network_.follow_document();
-  follow_surfaces();
-}
-
-void SurfaceDrawingTool::follow_result() {
-  network_.follow_result();
-  follow_surfaces();
-}
-
-void SurfaceDrawingTool::follow_surfaces() {
+void SurfaceDrawingTool::follow(Change change) {
+  if (change == Change::Opened) return show_opened();
+  if (change == Change::Scenes) return;
+  change == Change::Document ? network_.follow_document() : network_.follow_result();
   ghost_.follow(is_there() ? network_.shown() : ShownSurface());
   chips_.follow();
   follow_panels();
@@ -265,7 +328,7 @@ void SurfaceDrawingTool::follow_panels() {
 }
 
 /// A network that is opened is looked at in space, and selected from.
-void SurfaceDrawingTool::opened() {
+void SurfaceDrawingTool::show_opened() {
   const NodeId now = studio().network_node();
   if (std::exchange(opened_, now) == now || now == 0) return;
   show_in_space();
@@ -303,6 +366,56 @@ QString SurfaceDrawingTool::status() const {
                      counted(network.faces.size(), tr("1 patch"), tr("%1 patches")),
                      counted(network.points.size(), tr("1 point"), tr("%1 points"))}
       .join(", ");
+}
+
+// Recorded steps of the surface tool, and what replays can expect of it.
+
+void SurfaceDrawingTool::make_replays(Replays& replays) {
+  for (const recorded::StepKind* kind : recorded::surface_steps().kinds()) {
+    replays.plays[kind].push_back([this](const recorded::Step& step) {
+      if (!is_there()) host().action("new-surface")->trigger();
+      network_.follow_document();
+      network_.tool().replay(step);
+      network_.follow_document();
+      return true;
+    });
+  }
+  add_counts(replays);
+}
+
+void SurfaceDrawingTool::add_counts(Replays& replays) {
+  const auto count = [this](auto member) {
+    return [this, member](const std::string&) -> std::size_t { return (network_.network().*member).size(); };
+  };
+  replays.counts["surface-nodes"] = count(&AttributeNetwork::nodes);
+  replays.counts["surface-curves"] = count(&AttributeNetwork::curves);
+  replays.counts["surface-faces"] = count(&AttributeNetwork::faces);
+  replays.counts["surface-points"] = count(&AttributeNetwork::points);
+  replays.counts["surface-selected"] = [this](const std::string&) {
+    const NetworkElements selected = network_.tool().selected();
+    return selected.nodes.size() + selected.curves.size() + selected.faces.size() + selected.points.size();
+  };
+  replays.counts["surface-patches-made"] = [this](const std::string&) -> std::size_t {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        required_surface(network_).surface().faces, [](const SurfaceFace& face) { return face.surface != nullptr; }));
+  };
+  replays.counts["surface-nearer-dents"] = [this](const std::string&) -> std::size_t {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(required_comparison(ghost_).points, [](const ComparedPoint& point) {
+          return point.own && point.uniform && point.own->offset < point.uniform->offset;
+        }));
+  };
+  replays.ranges["surface-boundary-error"] = [this](const std::string&) {
+    return std::pair(0.0, required_surface(network_).found->measures.boundary_error);
+  };
+  replays.ranges["surface-point-errors"] = [this](const std::string&) {
+    double greatest = 0;
+    for (const auto& error : required_surface(network_).found->measures.point_errors) {
+      if (!error) refuse_replay("A point isn't met by its patch");
+      greatest = std::max(greatest, *error);
+    }
+    return std::pair(0.0, greatest);
+  };
 }
 
 }  // namespace croquis::app

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/mesh_export.h"
+
+#include <QFile>
+#include <QMetaObject>
+#include <QStringList>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/files/project_files.h"
+#include "croquis/base/error.h"
+#include "croquis/base/text.h"
+#include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/self_intersection.h"
+#include "croquis/io/file.h"
+#include "croquis/tools/perspective/sheet_units.h"
+
+namespace croquis::app {
+namespace {
+
+void look_at_boundary(const PolyMesh& mesh, ExportCheck& check) {
+  const MeshTopology topology(mesh);
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    if (topology.edge_corners(edge).size() != 1) continue;
+    check.doubt->subjects.push_back(numbered_subject(SubjectKind::Edge, edge));
+    for (const Index vertex : topology.edge_vertices(edge)) check.where.extend(mesh.positions[vertex]);
+  }
+}
+
+void look_at_crossings(const PolyMesh& mesh, const SelfIntersections& crossings, ExportCheck& check) {
+  std::set<Index> faces;
+  for (const auto& [a, b] : crossings.pairs) faces.insert({a, b});
+  for (const Index face : faces) {
+    check.doubt->subjects.push_back(numbered_subject(SubjectKind::Face, face));
+    for (const Index vertex : mesh.face(face)) check.where.extend(mesh.positions[vertex]);
+  }
+}
+
+}  // namespace
+
+ExportCheck check_export(const PolyMesh& mesh, Progress& progress) {
+  ExportCheck check;
+  Progress counting = progress.step("count elements", 0.3);
+  check.figures = inspect(mesh, false, counting);
+  Progress searching = progress.step("find self-intersections", 0.7);
+  const SelfIntersections crossings = find_self_intersections(mesh, searching);
+  check.figures.self_intersections = crossings.count;
+  std::string faults;
+  if (!check.figures.closed)
+    faults = "isn't closed: " + counted(check.figures.boundary_edges, "edge is", "edges are") + " open";
+  if (crossings.count > 0)
+    faults +=
+        (faults.empty() ? "" : ", and it ") + ("crosses itself in " + counted(crossings.count, "place", "places"));
+  if (faults.empty()) return check;
+  const bool crosses = crossings.count > 0;
+  check.doubt =
+      make_warning(Category::Geometry, crosses ? "W_SELF_INTERSECTION" : "W_OPEN", "The mesh " + faults + ".", {});
+  crosses ? look_at_crossings(mesh, crossings, check) : look_at_boundary(mesh, check);
+  return check;
+}
+
+QString summary_of(const MeshReport& figures, const QString& unit) {
+  QStringList parts = {figures.closed ? QObject::tr("closed") : QObject::tr("open"),
+                       QString::fromStdString(counted(figures.faces, "face", "faces"))};
+  if (figures.bounds) {
+    const Vec3 size = (*figures.bounds)[1] - (*figures.bounds)[0];
+    QStringList lengths;
+    for (const double length : size) lengths << QString::number(length, 'g', 4);
+    parts << lengths.join(QStringLiteral(" × ")) + (unit.isEmpty() ? "" : " " + unit);
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+double ProjectFiles::export_scale(const MeshExport& wanted) const {
+  const double unit = metres_of_unit(wanted.unit), own = metres_of_unit(studio_.unit().empty() ? "mm" : studio_.unit());
+  return unit > 0 && own > 0 ? own / unit : 1;
+}
+
+std::vector<NamedMesh> ProjectFiles::meshes_of(const MeshExport& wanted) const {
+  std::vector<NodeId> nodes;
+  if (wanted.objects == MeshExport::Objects::Picked) nodes = studio_.picked_or_active();
+  for (const WorkObject& object : studio_.objects()) {
+    const bool all = wanted.objects == MeshExport::Objects::All;
+    if (all || (wanted.objects == MeshExport::Objects::Visible && object.visible)) nodes.push_back(object.node);
+  }
+  if (nodes.empty()) throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no mesh to export"));
+  const Affine3 scaling{export_scale(wanted) * Eigen::Matrix3d::Identity(), Vec3::Zero()};
+  std::vector<NamedMesh> meshes;
+  for (const NodeId node : nodes) {
+    const WorkObject& object = *studio_.object(node);
+    const auto& mesh = object.shown();
+    const bool computed = mesh && object.result && mesh == object.mesh;
+    if (!mesh || (computed && (object.result->failed || object.quality != Quality::Final))) {
+      const std::string name = nodes.size() == 1 ? std::string() : " of \"" + readable_name(object.name) + '"';
+      const char* cure = object.visible ? ": wait until it is computed" : ": show it first, so that it is computed";
+      throw Error(
+          make_error(Category::Geometry, "E_EMPTY", "There is no finished mesh" + name + " to export yet" + cure));
+    }
+    meshes.push_back({readable_name(object.name), mesh, composed(scaling, object.placement.map())});
+  }
+  return meshes;
+}
+
+std::shared_ptr<const PolyMesh> ProjectFiles::exported_mesh(const MeshExport& wanted) const {
+  const std::vector<NamedMesh> meshes = meshes_of(wanted);
+  const Affine3& map = meshes.front().map;
+  const bool unmoved = map == Affine3{};
+  if (meshes.size() == 1 && unmoved) return meshes.front().mesh;
+  return std::make_shared<const PolyMesh>(joined(meshes));
+}
+
+StepExport::StepExport() { thread_.setMaxThreadCount(1); }
+
+StepExport::~StepExport() {
+  cancel();
+  thread_.waitForDone();
+}
+
+void StepExport::start(std::shared_ptr<const Brep> solid, StepOptions options, const QString& path) {
+  if (busy_) return;
+  busy_ = true;
+  *cancelled_ = false;
+  emit busy_changed(true);
+  thread_.start([this, solid = std::move(solid), options = std::move(options), path, cancelled = cancelled_] {
+    Progress progress(
+        [this](double fraction, const std::string& step) {
+          const QString text = QString::fromStdString(step);
+          QMetaObject::invokeMethod(
+              this, [this, fraction, text] { emit progress_changed(fraction, text); }, Qt::QueuedConnection);
+        },
+        cancelled.get());
+    bool written = false;
+    Findings findings;
+    try {
+      StepFile file = write_step(*solid, options, progress);
+      OutputTransaction files;
+      files.add(QFile::encodeName(path).toStdString(), std::move(file.bytes));
+      files.commit();
+      written = true;
+    } catch (const Error& error) {
+      findings = error.findings();
+    } catch (const Cancelled&) {
+      written = false;
+    } catch (const std::bad_alloc&) {
+      findings = {make_error(Category::Limit, "E_MEMORY", "The solid doesn't fit into this machine's memory.")};
+    }
+    QMetaObject::invokeMethod(
+        this, [this, path, written, findings] { take(path, written, findings); }, Qt::QueuedConnection);
+  });
+}
+
+void StepExport::take(const QString& path, bool written, const Findings& findings) {
+  busy_ = false;
+  emit busy_changed(false);
+  if (written)
+    emit finished(path);
+  else
+    emit failed(findings);
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace croquis::app {
+
+Panel::Panel(const QString& name) : column_(new QVBoxLayout(this)) {
+  setObjectName(name);
+  column_->setContentsMargins(8, 6, 8, 6);
+}
+
+QDoubleSpinBox* Panel::number(const QString& name, const NumberRange& range, std::function<Number()> read,
+                              std::function<void(double)> take, const QString& tip) {
+  QDoubleSpinBox* box = make_number_box(this, name, range);
+  box->setToolTip(tip);
+  connect(box, &QDoubleSpinBox::valueChanged, this, [this, take = std::move(take)](double value) {
+    if (!following_) take(value);
+  });
+  also([box, read = std::move(read)] {
+    const Number now = read();
+    box->setEnabled(now.enabled);
+    // What people type there isn't overwritten.
+    if (now.value && (!box->hasFocus() || box->value() != *now.value)) box->setValue(*now.value);
+  });
+  return box;
+}
+
+QComboBox* Panel::choice(const QString& name, const QStringList& words, std::function<std::optional<int>()> read,
+                         std::function<void(int)> take, const QString& tip) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(name);
+  box->addItems(words);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setToolTip(tip);
+  connect(box, &QComboBox::activated, this, std::move(take));
+  also([box, read = std::move(read)] {
+    const std::optional<int> now = read();
+    box->setEnabled(now.has_value());
+    if (now) box->setCurrentIndex(*now);
+  });
+  return box;
+}
+
+QComboBox* Panel::choice_of_values(const QString& name, const std::vector<Choice>& choices,
+                                   std::function<std::string()> read, std::function<void(const std::string&)> take,
+                                   const QString& tip) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(name);
+  for (const Choice& choice : choices) box->addItem(choice.words, choice.value);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setToolTip(tip);
+  connect(box, &QComboBox::activated, this,
+          [box, take = std::move(take)] { take(box->currentData().toString().toStdString()); });
+  also([box, read = std::move(read)] { box->setCurrentIndex(box->findData(QString::fromStdString(read()))); });
+  return box;
+}
+
+QCheckBox* Panel::flag(const QString& name, const QString& words, std::function<bool()> read,
+                       std::function<void(bool)> take, const QString& tip) {
+  auto* box = new QCheckBox(words, this);
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  connect(box, &QCheckBox::clicked, this, std::move(take));
+  also([box, read = std::move(read)] { box->setChecked(read()); });
+  return box;
+}
+
+QLabel* Panel::text(const QString& name, std::function<QString()> read) {
+  QLabel* shown = label({});
+  shown->setObjectName(name);
+  shown->setWordWrap(true);
+  also([shown, read = std::move(read)] {
+    shown->setText(read());
+    shown->setVisible(!shown->text().isEmpty());
+  });
+  return shown;
+}
+
+QLabel* Panel::label(const QString& words) { return new QLabel(words, this); }
+
+void Panel::row(std::initializer_list<Cell> cells) {
+  auto* row = new QHBoxLayout;
+  for (const Cell& cell : cells) row->addWidget(cell.widget, cell.stretch);
+  column_->addLayout(row);
+}
+
+void Panel::buttons(std::initializer_list<const char*> names, int columns, Qt::ToolButtonStyle style,
+                    const std::function<QAction*(const QString&)>& action) {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(3);
+  for (const char* name : names) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action(name));
+    button->setObjectName(QString("button-") + name);
+    button->setToolButtonStyle(style);
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    grid->addWidget(button, grid->count() / columns, grid->count() % columns);
+  }
+  column_->addLayout(grid);
+}
+
+void Panel::follow() {
+  following_ = true;
+  for (const auto& follow : follow_) follow();
+  following_ = false;
+}
+
+QScrollArea* scrolled(QWidget* panel) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel);
+  return scroll;
+}
+
+}  // namespace croquis::app
