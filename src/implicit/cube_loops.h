@@ -19,6 +19,7 @@ struct CubeEdge {
   int axis;
   unsigned corner;
 };
+
 constexpr CubeEdge cube_edge(unsigned edge) {
   const unsigned axis = edge / 4;
   const unsigned b = edge % 4;
@@ -61,6 +62,7 @@ struct CubeLoops {
     return {edges.data() + offsets[i], edges.data() + offsets[i + 1]};
   }
 };
+
 CubeLoops cube_loops(const std::array<double, 8>& values);
 
 /// Triangles of one loop as positions in it.

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "implicit/lanes.h"
-#include "implicit/log.h"
 
 namespace croquis::implicit {
 namespace {

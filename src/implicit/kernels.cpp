@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "implicit/log.h"
+#include "implicit/lanes.h"
 
 namespace croquis::implicit {
 

@@ -9,7 +9,6 @@
 #include "implicit/fit_system.h"
 #include "implicit/lanes.h"
 #include "implicit/null_space_solver.h"
-#include "implicit/unit_centres.h"
 
 namespace croquis::implicit {
 namespace {

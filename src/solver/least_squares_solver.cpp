@@ -3,22 +3,155 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
 #include "croquis/base/error.h"
+#include "croquis/solver/least_squares.h"
 #include "solver/active_rows.h"
 #include "solver/elastic_optimum.h"
-#include "solver/equality_optimum.h"
-#include "solver/interior_point.h"
 #include "solver/kkt_system.h"
-#include "solver/problem_check.h"
-#include "solver/row_sizes.h"
-#include "solver/scaled_problem.h"
 
 namespace croquis {
 namespace {
+
+/// The scaled least-squares optimum under the equalities alone.
+struct EqualityOptimum {
+  Eigen::VectorXd y;         ///< N
+  Eigen::VectorXd equality;  ///< multipliers nu, #E: U^T (U y - t) = E^T nu
+};
+
+using Eigen::VectorXd;
+
+/// |U v|^2 of a unit direction that counts as none: rounding leaves 1e-20 there, the flattest plate of 30 000 vertices
+/// bends with 1e-9.
+constexpr double flat_curvature = 1e-13;
+constexpr int inverse_iterations = 3;
+
+/// Reproducible numbers in [-1, 1) without structure (Knuth's linear congruential generator).
+VectorXd scattered(Eigen::Index size) {
+  VectorXd values(size);
+  std::uint64_t state = 1;
+  for (double& value : values) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    value = static_cast<double>(static_cast<std::int64_t>(state) >> 11) / static_cast<double>(std::int64_t{1} << 52);
+  }
+  return values;
+}
+
+/// Solves with the factorisation of K(0) that `system` holds. Equalities that contradict each other are met in the
+/// least-squares sense, so that each of them shows a residual.
+EqualityOptimum find_equality_optimum(const ScaledProblem& problem, const KktSystem& system, const VectorXd& target,
+                                      const VectorXd& equality_values) {
+  EqualityOptimum optimum{VectorXd::Zero(system.unknowns()), VectorXd::Zero(equality_values.size())};
+  if (system.size() == 0) return optimum;
+  double last_change = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= most_refinements; ++round) {
+    VectorXd residual(system.size());
+    residual.head(system.unknowns()) = problem.objective.transpose() * (target - problem.objective * optimum.y) +
+                                       problem.equalities.transpose() * optimum.equality;
+    residual.tail(equality_values.size()) = equality_values - problem.equalities * optimum.y;
+    const VectorXd change = system.solve_regularised(residual);
+    const double size = change.head(system.unknowns()).lpNorm<Eigen::Infinity>();
+    if (!(size < 0.5 * last_change)) break;
+    optimum.y += change.head(system.unknowns());
+    optimum.equality -= change.tail(equality_values.size());
+    // Each round gains as many digits as the last: what the next one could change is below rounding.
+    const double next_change = std::isfinite(last_change) ? size * (size / last_change) : size;
+    if (next_change <= std::numeric_limits<double>::epsilon() * optimum.y.lpNorm<Eigen::Infinity>()) break;
+    last_change = size;
+  }
+  return optimum;
+}
+
+/// True when the objective has no curvature in some direction that the equalities allow. Inverse iteration with the
+/// factorisation of K(0): the regularisation is the smallest curvature then, and such a direction wins at once.
+bool has_flat_direction(const ScaledProblem& problem, const KktSystem& system) {
+  if (system.unknowns() == 0) return false;
+  VectorXd direction = VectorXd::Zero(system.size());
+  direction.head(system.unknowns()) = scattered(system.unknowns());
+  for (int round = 0; round < inverse_iterations; ++round) {
+    direction = system.solve_regularised(direction);
+    direction.tail(system.size() - system.unknowns()).setZero();
+    direction.normalize();
+  }
+  return (problem.objective * direction.head(system.unknowns())).squaredNorm() < flat_curvature;
+}
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+Finding solver_error(std::string message) { return make_error(Category::Internal, "E_SOLVER", std::move(message)); }
+
+std::string size_text(Eigen::Index rows, Eigen::Index columns) {
+  return std::to_string(rows) + " by " + std::to_string(columns);
+}
+
+/// A matrix without rows may have any width.
+void check_matrix(Matrix& matrix, Eigen::Index unknowns, const std::string& name, Findings& findings) {
+  matrix.makeCompressed();
+  if (matrix.rows() == 0) matrix = Matrix(0, unknowns);
+  if (matrix.cols() != unknowns)
+    findings.push_back(solver_error("The matrix of the " + name + " is " + size_text(matrix.rows(), matrix.cols()) +
+                                    ", but there are " + std::to_string(unknowns) + " unknowns; give it that width."));
+  const Eigen::Map<const Eigen::VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
+  if (!values.allFinite())
+    findings.push_back(
+        solver_error("The matrix of the " + name + " holds a number that is not finite; check the rows' geometry."));
+}
+
+void check_vector(const Eigen::VectorXd& vector, Eigen::Index size, const std::string& name, Findings& findings) {
+  if (vector.size() != size)
+    findings.push_back(solver_error("There are " + std::to_string(vector.size()) + " " + name + " for " +
+                                    std::to_string(size) + " rows; give one for each."));
+  for (Eigen::Index row = 0; row < vector.size(); ++row) {
+    if (std::isfinite(vector[row])) continue;
+    findings.push_back(solver_error("Number " + std::to_string(row) + " of the " + name +
+                                    " is not finite; check the geometry it comes from."));
+    return;
+  }
+}
+
+void complete_vector(Eigen::VectorXd& vector, Eigen::Index size) {
+  if (vector.size() == 0) vector = Eigen::VectorXd::Zero(size);
+}
+
+/// The same problem with every matrix N columns wide, every vector as long as its matrix has rows, all compressed.
+/// @throws Error (E_SOLVER), one finding per part whose size doesn't fit or that holds a number that isn't finite
+LeastSquaresProblem checked_and_completed(LeastSquaresProblem problem) {
+  const Eigen::Index unknowns =
+      std::max({problem.objective.cols(), problem.equalities.cols(), problem.inequalities.cols()});
+  Findings findings;
+  check_matrix(problem.objective, unknowns, "objective", findings);
+  check_matrix(problem.equalities, unknowns, "equalities", findings);
+  check_matrix(problem.inequalities, unknowns, "inequalities", findings);
+
+  complete_vector(problem.target, problem.objective.rows());
+  complete_vector(problem.equality_values, problem.equalities.rows());
+  complete_vector(problem.inequality_bounds, problem.inequalities.rows());
+  check_vector(problem.target, problem.objective.rows(), "targets", findings);
+  check_vector(problem.equality_values, problem.equalities.rows(), "equality values", findings);
+  check_vector(problem.inequality_bounds, problem.inequalities.rows(), "inequality bounds", findings);
+  if (!findings.empty()) throw Error(std::move(findings));
+  return problem;
+}
+
+/// Checks new numbers for an old place. @throws Error (E_SOLVER)
+void check_replacement(const Eigen::VectorXd& vector, Eigen::Index size, const char* name) {
+  Findings findings;
+  check_vector(vector, size, name, findings);
+  if (!findings.empty()) throw Error(std::move(findings));
+}
+
+/// |bound_q| + sum over j of |A_qj x_j|: the scale that a row's residual is judged by, whatever its unit.
+template <typename Matrix>
+Eigen::VectorXd row_sizes(const Matrix& matrix, const Eigen::VectorXd& x, const Eigen::VectorXd& bounds) {
+  return bounds.cwiseAbs() + matrix.cwiseAbs() * x.cwiseAbs();
+}
 
 using Eigen::VectorXd;
 
@@ -190,5 +323,10 @@ void LeastSquaresSolver::set_inequality_bounds(VectorXd inequality_bounds) {
 }
 
 LeastSquaresSolution LeastSquaresSolver::solve(Progress& progress) { return state_->solve(progress); }
+
+LeastSquaresSolution solve_least_squares(const LeastSquaresProblem& problem, const LeastSquaresOptions& options,
+                                         Progress& progress) {
+  return LeastSquaresSolver(problem, options).solve(progress);
+}
 
 }  // namespace croquis

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <set>
-#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>

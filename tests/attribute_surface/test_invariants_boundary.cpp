@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -50,17 +47,6 @@ TEST_CASE("surfaces meet their curves, in all modes and for any number of sides"
         const FaceSurface face = first_surface(network, options_of(mode, domain));
         CHECK(boundary_error(face) < 1e-12 * std::max(extent(network), face.sigma()));
       }
-    }
-  }
-}
-
-TEST_CASE("surfaces of networks meet their curves, with points and inner curves too") {
-  for (const AttributeNetwork& plain : joined_networks()) {
-    const AttributeNetwork network = with_points(plain, 3, 0.1, 5);
-    CAPTURE(network.name);
-    for (const SurfaceFace& face : surface_of(network).faces) {
-      REQUIRE(face.surface);
-      CHECK(boundary_error(*face.surface) < 1e-12 * std::max(extent(network), face.surface->sigma()));
     }
   }
 }

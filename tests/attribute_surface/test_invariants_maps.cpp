@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numbers>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -54,22 +53,54 @@ std::vector<AttributeNetwork> everything() {
   return networks;
 }
 
-/// The plane through places, and how far the farthest is from it.
-double out_of_plane(const std::vector<Vec3>& places) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& place : places) middle += place / static_cast<double>(places.size());
-  Eigen::MatrixXd rows(places.size(), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    rows.row(static_cast<Eigen::Index>(i)) = (places[i] - middle).transpose();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(rows, Eigen::ComputeThinV);
-  return (rows * decomposition.matrixV().col(2)).cwiseAbs().maxCoeff();
+/// Where a place of a face's domain is after a change of its loop.
+using Renumber = std::function<FanPlace(const FanPlace& fan, std::size_t corners)>;
+
+/// Corners per side of the loop: a face of two sides has four corners.
+std::size_t corners_per_side(const AttributeFace& face) { return face.loop.size() == 2 ? 2 : 1; }
+
+void rotate_loop(AttributeNetwork& network, std::size_t f) {
+  AttributeFace& face = network.faces[f];
+  std::ranges::rotate(face.loop, face.loop.begin() + 1);
 }
 
-std::vector<Vec3> places_on(const FaceSurface& face, std::size_t count) {
-  std::vector<Vec3> places;
-  for (const FanPlace& fan : spread_places(face.domain().corners.size(), count, 3))
-    places.push_back(face.at(place_in(face.domain(), fan)));
-  return places;
+void reverse_loop(AttributeNetwork& network, std::size_t f) {
+  AttributeFace& face = network.faces[f];
+  std::ranges::reverse(face.loop);
+  for (AttributeSide& side : face.loop) side.reversed = !side.reversed;
+}
+
+FanPlace reversed(const FanPlace& fan, std::size_t corners) { return {corners - 1 - fan.corner, fan.b, fan.a}; }
+
+/// Greatest distance between the same places of two networks' faces; `renumber` is for one face.
+double difference(const AttributeNetwork& before, const AttributeNetwork& after, std::size_t changed,
+                  const Renumber& renumber) {
+  const AttributeSurface first = surface_of(before), second = surface_of(after);
+  double largest = 0;
+  for (std::size_t f = 0; f < before.faces.size(); ++f) {
+    const FaceSurface &a = *first.faces[f].surface, &b = *second.faces[f].surface;
+    const std::size_t corners = a.domain().corners.size();
+    for (const FanPlace& fan : spread_places(corners, 24, f)) {
+      const FanPlace other = f == changed ? renumber(fan, corners) : fan;
+      largest = std::max(largest, (a.at(place_in(a.domain(), fan)) - b.at(place_in(b.domain(), other))).norm());
+    }
+  }
+  return largest;
+}
+
+void renumber_points(AttributeNetwork& network, std::size_t face, std::size_t corners, const Renumber& renumber) {
+  for (PointAttribute& point : network.points) {
+    if (point.face == face) point.fan = renumber(*point.fan, corners);
+  }
+}
+
+/// Loops of all sides, and a car with points: which faces' loops are changed.
+template <typename Check>
+void for_changed_faces(Check&& check) {
+  for (const AttributeNetwork& plain : all_loops()) check(with_points(plain, 3, 0.1, 2), 0);
+  const AttributeNetwork car = with_points(example_network("car_intact"), 2, 0.05, 3);
+  for (std::size_t f = 0; f < car.faces.size(); f += 4) check(car, f);
+  check(with_points(boat_hull(), 2, 0.1, 3), 1);
 }
 
 }  // namespace
@@ -98,57 +129,58 @@ TEST_CASE("the same network far from the origin gives the same surface, to the d
   }
 }
 
-TEST_CASE("a flat polygon in a circle is mapped without any distortion") {
-  for (std::size_t sides = 3; sides <= 12; ++sides) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-      const AttributeNetwork network = cyclic_polygon(sides, seed);
-      CAPTURE(network.name);
-      for (const AttributeMode mode : {AttributeMode::Smooth, AttributeMode::Position}) {
-        const FaceSurface face = first_surface(network, options_of(mode));
-        REQUIRE(face.domain().beta == 0);
-        const std::vector<FanPlace> fans = spread_places(sides, 30, seed);
-        for (std::size_t i = 0; i + 1 < fans.size(); ++i) {
-          const Vec2 a = place_in(face.domain(), fans[i]), b = place_in(face.domain(), fans[i + 1]);
-          const double error = (face.at(a) - face.at(b)).norm() - face.sigma() * (a - b).norm();
-          CHECK(std::abs(error) < 1e-12 * (extent(network) + face.sigma()));
-        }
-      }
+TEST_CASE("it doesn't matter with which curve a loop begins") {
+  for_changed_faces([](const AttributeNetwork& network, std::size_t f) {
+    CAPTURE(network.name, f);
+    const std::size_t corners = domain_corners(network.faces[f]), step = corners_per_side(network.faces[f]);
+    const Renumber renumber = [&](const FanPlace& fan, std::size_t count) {
+      return FanPlace{(fan.corner + count - step) % count, fan.a, fan.b};
+    };
+    AttributeNetwork changed = network;
+    rotate_loop(changed, f);
+    renumber_points(changed, f, corners, renumber);
+    CHECK(difference(network, changed, f, renumber) < 1e-12 * (1 + extent(network)));
+  });
+}
+
+TEST_CASE("a loop walked the other way round gives the same surface") {
+  for_changed_faces([](const AttributeNetwork& network, std::size_t f) {
+    CAPTURE(network.name, f);
+    AttributeNetwork changed = network;
+    reverse_loop(changed, f);
+    renumber_points(changed, f, domain_corners(network.faces[f]), reversed);
+    CHECK(difference(network, changed, f, reversed) < 1e-12 * (1 + extent(network)));
+  });
+}
+
+TEST_CASE("loops walked the other way round turn normals round") {
+  for (const std::size_t sides : std::vector<std::size_t>{2, 3, 5, 8}) {
+    const AttributeNetwork network = random_loop(sides, 4);
+    AttributeNetwork changed = network;
+    reverse_loop(changed, 0);
+    const FaceSurface before = first_surface(network), after = first_surface(changed);
+    for (const FanPlace& fan : spread_places(before.domain().corners.size(), 20, 1)) {
+      const FanPlace other = reversed(fan, before.domain().corners.size());
+      const Vec3 normal = before.normal(place_in(before.domain(), fan));
+      CHECK((normal + after.normal(place_in(after.domain(), other))).norm() < 1e-9);
     }
   }
 }
 
-TEST_CASE("positions reproduce every affine map of the domain") {
-  Random random(77);
-  for (std::size_t sides = 3; sides <= 12; ++sides) {
-    const DomainPolygon domain = uniform_polygon(sides);
-    Eigen::Matrix<double, 3, 2> map;
-    for (int i = 0; i < 6; ++i) map(i / 2, i % 2) = random.between(-2, 2);
-    SurfaceFrame frame;
-    frame.mode = AttributeMode::Position;
-    frame.domain = AttributeDomain::Uniform;
-    for (std::size_t i = 0; i < sides; ++i) {
-      const std::vector<Vec3> control{map * domain.corners[i], map * domain.corners[(i + 1) % sides]};
-      frame.sides.push_back({std::make_shared<ArcLengthCurve>(control), false, {}});
+TEST_CASE("it doesn't matter in which direction curves were drawn") {
+  for_changed_faces([](const AttributeNetwork& network, std::size_t f) {
+    CAPTURE(network.name, f);
+    AttributeNetwork changed = network;
+    const Index turned = network.faces[f].loop[0].curve;
+    AttributeCurve& curve = changed.curves[turned];
+    std::swap(curve.from, curve.to);
+    std::ranges::reverse(curve.control);
+    for (AttributeFace& face : changed.faces) {
+      for (AttributeSide& side : face.loop) side.reversed = side.reversed != (side.curve == turned);
     }
-    const FaceSurface face(frame);
-    for (const FanPlace& fan : spread_places(sides, 40, sides)) {
-      const Vec2 place = place_in(face.domain(), fan);
-      CHECK((face.at(place) - map * place).norm() < 1e-13);
-    }
-  }
-}
-
-TEST_CASE("flat loops stay flat") {
-  for (std::size_t sides = 2; sides <= 12; ++sides) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const AttributeNetwork network = flat_loop(sides, seed);
-      CAPTURE(network.name);
-      for (const AttributeMode mode : {AttributeMode::Smooth, AttributeMode::Position, AttributeMode::Paper}) {
-        const FaceSurface face = first_surface(network, options_of(mode));
-        CHECK(out_of_plane(places_on(face, 60)) < 1e-12 * (extent(network) + face.sigma()));
-      }
-    }
-  }
+    const Renumber same = [](const FanPlace& fan, std::size_t) { return fan; };
+    CHECK(difference(network, changed, f, same) < 1e-12 * (1 + extent(network)));
+  });
 }
 
 }  // namespace croquis::test

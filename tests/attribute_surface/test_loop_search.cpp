@@ -164,7 +164,6 @@ TEST_CASE("curves that only cross in the view join nothing") {
   line({0, 0, 0}, {1, 0, 0});
   line({1, 0, 0}, {1, 1, 0});
   line({1, 1, 0}, {0, 0, 0});
-  network = merge_near_nodes(network, 1e-9);
   line({-1, 0.2, 1}, {2, 0.2, 1});  // passes above
   line({0.7, -1, 2}, {0.7, 2, 2});
   const auto found = find_loop_around(network, from_above(network), {80, -10});
@@ -185,6 +184,40 @@ TEST_CASE("ends that meet only within the tolerance make loops, too, wherever th
     CHECK_FALSE(find_loop_around(network, from_above(network), place, {1e-6, 12}));
     if (sides > 4) CHECK_FALSE(find_loop_around(network, from_above(network), place, {0.05, 4}));
   }
+}
+
+using test::wire_box;
+
+TEST_CASE("loops without a face are offered one by one until all have theirs") {
+  AttributeNetwork network = wire_box();
+  std::set<std::set<Index>> filled;
+  for (int face = 0; face < 6; ++face) {
+    INFO("face " << face);
+    const SortedLoop loop = open_loop(network);
+    REQUIRE(loop.closed());
+    CHECK(loop.sides.size() == 4);  // the fewest curves, so a side of the box and no way round it
+    std::set<Index> curves;
+    for (const AttributeSide& side : loop.sides) curves.insert(side.curve);
+    CHECK(filled.insert(curves).second);
+    network = close_loop(std::move(network), loop).network;
+  }
+  CHECK_FALSE(open_loop(network).closed());
+}
+
+TEST_CASE("no loop is offered that is a face, is open, or goes through the inside of one") {
+  AttributeNetwork sheet = bent_sheet(2, 2);
+  CHECK_FALSE(open_loop(sheet).closed());
+  CHECK_FALSE(open_loop(AttributeNetwork()).closed());
+  AttributeNetwork box = wire_box();
+  LoopSearchOptions options;
+  options.most_sides = 3;
+  CHECK_FALSE(open_loop(box, options).closed());
+  box.curves.resize(3);
+  CHECK_FALSE(open_loop(box).closed());
+  sheet.faces.erase(sheet.faces.begin());
+  const SortedLoop loop = open_loop(sheet);
+  REQUIRE(loop.closed());
+  CHECK(close_loop(sheet, loop).network.faces.size() == 4);
 }
 
 }  // namespace

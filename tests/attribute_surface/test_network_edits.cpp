@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <functional>
-#include <map>
 
 #include <catch2/catch.hpp>
 
@@ -126,7 +125,6 @@ const std::vector<RandomEdit>& random_edits() {
         const NetworkPartners partners = find_partners(n, plane, 1e-6);
         return with_symmetric_edit(n, split_curve(n, curve(n, r), 0.4).network, plane, partners);
       },
-      [](auto& n, auto&) { return merge_near_nodes(n, 0.05); },
   };
   return edits;
 }

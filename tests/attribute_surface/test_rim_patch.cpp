@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/attribute_surface/bridges/rim_sides.h"
+#include "algorithms/attribute_surface/bridges/rim_face.h"
 #include "croquis/attribute_surface/rim_patch.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"

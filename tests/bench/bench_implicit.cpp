@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <iomanip>
-#include <string>
 #include <vector>
 
 #include <Eigen/LU>
@@ -17,7 +15,6 @@
 #include "croquis/implicit/partition_of_unity.h"
 #include "implicit/fit_system.h"
 #include "implicit/sample_points.h"
-#include "implicit/unit_centres.h"
 
 namespace croquis::bench {
 namespace {

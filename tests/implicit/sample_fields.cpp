@@ -18,10 +18,6 @@ double ellipsoid_at(const Vec3& p, const Vec3& half_axes) {
   return slope > 0 ? k * (k - 1) / slope : -half_axes.minCoeff();
 }
 
-double gyroid_at(const Vec3& p) {
-  return std::sin(p.x()) * std::cos(p.y()) + std::sin(p.y()) * std::cos(p.z()) + std::sin(p.z()) * std::cos(p.x());
-}
-
 double pierced_shell_at(const Vec3& p, double thickness) {
   const double shell = std::abs(p.norm() - 1) - thickness / 2;
   return std::max(shell, 0.4 - std::hypot(p.x(), p.y()));

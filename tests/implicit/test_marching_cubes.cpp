@@ -88,35 +88,6 @@ TEST_CASE("volume and distance come nearer with the square of the cell") {
   }
 }
 
-TEST_CASE("a turned surface is polygonised as well as a straight one") {
-  for (int run = 0; run < 5; ++run) {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3 + run, Vec3(1, run, 2 - run).normalized()).toRotationMatrix();
-    const auto ellipsoid = [&](const Vec3& p) { return ellipsoid_at(turn * p, Vec3(1.2, 0.7, 0.4)); };
-    const Polygonized surface = surface_of(ellipsoid, {turn.transpose() * Vec3(1.2, 0, 0)}, within(2, 0.06));
-    check_closed(surface, 2);
-    CHECK(*report_of(surface).volume == Approx(4 * M_PI / 3 * 1.2 * 0.7 * 0.4).epsilon(0.01));
-  }
-}
-
-TEST_CASE("a gyroid in a ball is closed, with the same handles at two resolutions") {
-  // A ball of two and a half periods: dozens of handles, all of them resolved by both cubes.
-  const auto solid = [](const Vec3& p) { return std::max(0.7 * gyroid_at(p), p.norm() - 7.5); };
-  std::vector<std::int64_t> euler;
-  for (const double cell : {0.3, 0.2}) {
-    const Polygonized surface = surface_of(solid, {Vec3(0, 0, 0), Vec3(7.5, 0.1, 0.1)}, within(9, cell));
-    const MeshReport report = report_of(surface);
-    CHECK(surface.complete());
-    CHECK(report.closed);
-    CHECK(report.oriented);
-    CHECK(report.nonmanifold_edges == 0);
-    CHECK(report.nonmanifold_vertices == 0);
-    CHECK(*report.volume > 0);
-    euler.push_back(report.euler_characteristic);
-  }
-  CHECK(euler[0] == euler[1]);
-  CHECK(euler[0] < -20);
-}
-
 TEST_CASE("thin sheets with sharp edges stay closed at any resolution, even where the sheet is thinner than a cube") {
   for (const double thickness : {0.3, 0.1, 0.03}) {
     const auto shell = [&](const Vec3& p) { return pierced_shell_at(p, thickness); };
@@ -161,14 +132,6 @@ TEST_CASE("random values at every corner, all signs and ambiguities: closed, ori
   }
 }
 
-TEST_CASE("a fitted sphere has a positive volume, near the true one") {
-  const LocalFit fit(sphere_points(200, Vec3::Zero(), 1), {});
-  Progress progress;
-  const Polygonized surface = polygonize(fit.field(), std::vector{Vec3(1, 0, 0)}, within(2, 0.08), progress);
-  check_closed(surface, 2);
-  CHECK(*report_of(surface).volume == Approx(4 * M_PI / 3).epsilon(0.01));
-}
-
 TEST_CASE("the same bytes for any number of threads and any order of seeds") {
   const auto torus = [](const Vec3& p) { return torus_at(p, 1, 0.4); };
   std::vector<Vec3> seeds = torus_points(300, 1, 0.4).positions;
@@ -187,33 +150,6 @@ TEST_CASE("the same bytes for any number of threads and any order of seeds") {
   const Polygonized single = surface_of(torus, {Vec3(1.4, 0, 0)}, options);
   CHECK(single.mesh.positions == one.mesh.positions);
   CHECK(single.mesh.corners == one.mesh.corners);
-}
-
-TEST_CASE("two slabs share the vertices of their common plane bit by bit") {
-  const auto torus = [](const Vec3& p) { return torus_at(p, 1, 0.4); };
-  PolygonizerOptions options = within(2, 0.05);
-  options.origin = Vec3(0.013, -0.017, 0.019);
-  const double plane = options.origin.x() + 4 * 0.05;
-  const std::vector<Vec3> seeds = torus_points(2000, 1, 0.4).positions;
-  const Polygonized whole = surface_of(torus, seeds, options);
-  PolygonizerOptions left = options, right = options;
-  left.bounds.high.x() = plane + 1e-9;
-  right.bounds.low.x() = plane - 1e-9;
-  const Polygonized a = surface_of(torus, seeds, left);
-  const Polygonized b = surface_of(torus, seeds, right);
-  CHECK(a.reached_bounds);
-  CHECK(b.reached_bounds);
-  CHECK(a.mesh.face_count() + b.mesh.face_count() == whole.mesh.face_count());
-  const auto less = [](const Vec3& p, const Vec3& q) {
-    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  };
-  std::vector<Vec3> both = a.mesh.positions;
-  both.insert(both.end(), b.mesh.positions.begin(), b.mesh.positions.end());
-  std::sort(both.begin(), both.end(), less);
-  both.erase(std::unique(both.begin(), both.end()), both.end());
-  std::vector<Vec3> expected = whole.mesh.positions;
-  std::sort(expected.begin(), expected.end(), less);
-  CHECK(both == expected);
 }
 
 TEST_CASE("an endless surface ends at the box, the limit of cubes, or where the field does") {

@@ -185,13 +185,6 @@ TEST_CASE("many threads may ask at once, also where nothing has been fitted yet"
   CHECK(field.report().filler_domains > 0);
 }
 
-TEST_CASE("fillers wait until they are needed") {
-  const PartitionOfUnity field = make(sphere_points(1000, Vec3::Zero(), 1));
-  CHECK(field.report().fitted == field.report().data_domains);
-  CHECK(std::isfinite(field.value(Vec3::Constant(1.4))));
-  CHECK(field.report().fitted > field.report().data_domains);
-}
-
 TEST_CASE("an extra domain rules where there are no data, and nowhere else") {
   // A sphere without its cap z > 0.6, and the cap's domain fitted to points that lie 0.05 further out.
   Constraints open, cap;

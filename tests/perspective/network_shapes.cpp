@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -276,6 +275,15 @@ CurveNetwork box_wall(int nx, int nz) {
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options) {
   Progress progress;
   return find_faces(network, progress, options);
+}
+
+std::vector<FittedCurve> polynomial_pieces(const CurveNetwork& network) {
+  std::vector<FittedCurve> fitted;
+  for (const NetworkCurve& curve : network.curves) {
+    fitted.push_back({curve.pieces});
+    for (RationalCubic& piece : fitted.back().pieces) piece.weights = {1, 1, 1, 1};
+  }
+  return fitted;
 }
 
 Solid solid_of(const CurveNetwork& network, const SolidOptions& options) {

@@ -62,6 +62,9 @@ CurveNetwork box_wall(int nx, int nz);
 
 FaceFindingResult faces_of(const CurveNetwork& network, const FaceFindingOptions& options = {});
 
+/// The pieces of curves as they are, weights left out.
+std::vector<FittedCurve> polynomial_pieces(const CurveNetwork& network);
+
 /// With the faces that are found.
 Solid solid_of(const CurveNetwork& network, const SolidOptions& options = {});
 

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

@@ -106,34 +106,6 @@ double radius_error(const Brep& brep) {
   return std::abs(worst);
 }
 
-/// The curvature of a patch across its boundary, from the normals there and close to it.
-/// @param along direction of the boundary, unit vector
-double curvature_across(const PatchPoint& border, const PatchPoint& inside, const Vec3& along) {
-  Vec3 way = inside.at - border.at;
-  way -= along.dot(way) * along;
-  return (inside.normal() - border.normal()).dot(way) / way.squaredNorm();
-}
-
-/// The mean over all spokes of what the curvatures of both sides differ by.
-double mean_spoke_jump(const Brep& brep) {
-  constexpr double near = 1e-4;
-  double sum = 0;
-  int count = 0;
-  for (const BrepFace& face : brep.faces) {
-    for (std::size_t i = 0; face.patches.size() > 1 && i < face.patches.size(); ++i) {
-      const GregoryPatch &before = face.patches[i], &behind = face.patches[(i + 1) % face.patches.size()];
-      for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-        const PatchPoint border = before.at(1, t);
-        const Vec3 along = border.dv.normalized();
-        sum += std::abs(curvature_across(border, before.at(1 - near, t), along) -
-                        curvature_across(behind.at(t, 1), behind.at(t, 1 - near), along));
-        ++count;
-      }
-    }
-  }
-  return count > 0 ? sum / count : 0;
-}
-
 /// The least cosine between a triangle and the normals of its corners.
 double least_triangle_cosine(const PolyMesh& mesh) {
   const auto& normals = std::get<std::vector<double>>(mesh.channel("normal", Domain::Corner)->data);
@@ -194,33 +166,6 @@ TEST_CASE("nets of arcs become smooth balls") {
     CHECK(smooth.spoke_angle < 1e-6);
     CHECK(smooth.gap < 1e-12);
     CHECK(radius_error(solid.brep) < greatest_error.at(net.name));
-  }
-}
-
-TEST_CASE("slopes chosen for least variation are rounder than other choices") {
-  for (const PolyhedronNet& net : sphere_nets()) {
-    // Of stars alone: their spokes are arcs of circles for the other rules, and balls are made of these.
-    if (net.name == "octahedron" || net.name == "dodecahedron") continue;
-    INFO(net.name);
-    SolidOptions mean, proportion;
-    mean.patches.slope = SlopeRule::Mean;
-    proportion.patches.slope = SlopeRule::Proportion;
-    const double fair = radius_error(solid_of(net.network).brep);
-    CHECK(fair < radius_error(solid_of(net.network, mean).brep));
-    CHECK(fair < radius_error(solid_of(net.network, proportion).brep));
-  }
-}
-
-TEST_CASE("curvature jumps less across the spokes of stars of least variation") {
-  SolidOptions proportion;
-  proportion.patches.slope = SlopeRule::Proportion;
-  for (const PolyhedronNet& net : sphere_nets()) {
-    for (unsigned seed = 11; seed <= 13; ++seed) {
-      INFO(net.name << " " << seed);
-      const CurveNetwork network = perturbed(net.network, 0.15, seed);
-      const double other = mean_spoke_jump(solid_of(network, proportion).brep);
-      if (other > 0) CHECK(mean_spoke_jump(solid_of(network).brep) < 0.8 * other);
-    }
   }
 }
 

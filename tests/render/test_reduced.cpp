@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/render/face_highlight.h"
+#include "croquis/render/mesh_item.h"
 #include "croquis/render/renderer.h"
 #include "render/picture_probe.h"
 #include "support/meshes/mesh_shapes.h"

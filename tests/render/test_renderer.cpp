@@ -92,19 +92,6 @@ TEST_CASE("each named view shows its side of a box, in its proportions and its o
   });
 }
 
-TEST_CASE("the three-quarter view shows the right, the upper and the front side and no other") {
-  with_renderer([](Renderer& renderer) {
-    const RenderedPicture picture =
-        picture_of(renderer, colored_box(), NamedView::Perspective, flat_options(), {320, 240});
-    for (const Color& seen : {red, green, blue}) {
-      CHECK(count_pixels(picture, [&](const Color& color) { return color == seen; }) > 500);
-    }
-    for (const Color& hidden : {cyan, magenta, yellow}) {
-      CHECK(count_pixels(picture, [&](const Color& color) { return color == hidden; }) == 0);
-    }
-  });
-}
-
 TEST_CASE("pictures are neither mirrored nor upside down") {
   PolyMesh mesh = test::merged(test::scaled(test::cube(), 4), test::translated(test::cube(), {3, 3, 4}));
   std::vector<std::array<std::uint8_t, 3>> colors(6, {200, 200, 200});
@@ -130,21 +117,6 @@ TEST_CASE("the side towards the key light is brighter than the far side") {
     CHECK(lit > middle + 10);
     CHECK(middle > far_side + 20);
     CHECK(far_side > 30);
-  });
-}
-
-TEST_CASE("a concave polygon is filled, its notch is not") {
-  PolyMesh mesh;
-  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
-  mesh.add_face(std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7});
-  with_renderer([&](Renderer& renderer) {
-    const RenderedPicture picture = picture_of(renderer, mesh, NamedView::Front, flat_options(), {200, 200});
-    const double unit = 200 * 0.88 / 4;
-    const int covered = count_pixels(picture, [](const Color& color) { return color.b < 220; });
-    CHECK(covered == Approx(10 * unit * unit).epsilon(0.03));
-    CHECK(pixel(picture, 100, 60) == Color(255, 255, 255, 255));
-    CHECK(pixel(picture, 30, 60) == palette_color(0));
-    CHECK(pixel(picture, 170, 60) == palette_color(0));
   });
 }
 

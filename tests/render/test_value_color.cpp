@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include <catch2/catch.hpp>
 

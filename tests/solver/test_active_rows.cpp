@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <random>
 
+#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include "solver/active_rows.h"
 #include "solver/elastic_optimum.h"
 #include "solver/sample_problems.h"
+#include "support/sample_count.h"
 
 using namespace croquis;
 using namespace croquis::test;
+using croquis::DualActiveSet;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
@@ -28,6 +33,43 @@ struct Rows {
 };
 
 double difference(const VectorXd& a, const VectorXd& b) { return (a - b).lpNorm<Eigen::Infinity>(); }
+
+/// S of all rows by dense elimination of the regularised matrix.
+MatrixXd dense_flexibility(const ScaledProblem& problem) {
+  const Eigen::Index unknowns = problem.objective.cols();
+  const Eigen::Index equalities = problem.equalities.rows();
+  MatrixXd matrix = MatrixXd::Zero(unknowns + equalities, unknowns + equalities);
+  const MatrixXd objective = problem.objective;
+  const MatrixXd held = problem.equalities;
+  matrix.topLeftCorner(unknowns, unknowns) = objective.transpose() * objective;
+  matrix.bottomLeftCorner(equalities, unknowns) = held;
+  matrix.topRightCorner(unknowns, equalities) = held.transpose();
+  matrix.diagonal().head(unknowns).array() += KktSystem::regularisation;
+  matrix.diagonal().tail(equalities).array() -= KktSystem::equality_regularisation;
+  MatrixXd rows = MatrixXd::Zero(problem.inequalities.rows(), matrix.cols());
+  rows.leftCols(unknowns) = MatrixXd(problem.inequalities);
+  return rows * matrix.partialPivLu().solve(rows.transpose());
+}
+
+constexpr double tolerance = 1e-12;
+
+MatrixXd random_rows(std::mt19937& random, int rows, int columns) {
+  MatrixXd matrix(rows, columns);
+  for (double& value : matrix.reshaped()) value = static_cast<double>(random()) / 2147483648.0 - 1;
+  return matrix;
+}
+
+void add_rows(const MatrixXd& flexibility, Eigen::Index begin, Eigen::Index end, DualActiveSet& set) {
+  for (Eigen::Index row = begin; row < end; ++row) set.add_row(flexibility.col(row).head(row + 1));
+}
+
+/// The conditions of min 1/2 l^T S l - b^T l over l >= 0, which hold at its optimum alone.
+void check_optimal(const MatrixXd& flexibility, const VectorXd& bounds, const VectorXd& multipliers) {
+  const VectorXd violation = bounds - flexibility * multipliers;
+  CHECK(multipliers.minCoeff() >= 0);
+  CHECK(violation.maxCoeff() <= 1e-9);
+  CHECK(std::abs(multipliers.dot(violation)) <= 1e-9 * (1 + multipliers.sum()));
+}
 
 }  // namespace
 
@@ -107,4 +149,91 @@ TEST_CASE("the interior point holds rows at a higher price when the first was to
   CHECK(weighted.factorisations() <= 40);
   KktSystem known(rows.scaled, KktSystem::Rows::Weighted);
   CHECK(find_elastic_optimum(rows.elastic, known, {}, true, progress).shortfall[0] > 0.5);
+}
+
+TEST_CASE("the flexibility of rows is that of dense elimination") {
+  RandomShape shape;
+  shape.unknowns = 9;
+  shape.objective_rows = 12;
+  shape.equalities = 3;
+  shape.inequalities = 7;
+  for (const LeastSquaresProblem& problem :
+       {depth_problem(chain_of_rings(2, 24), 22), sheet_problem(8, 2, 0.5), random_problem(shape, 4)}) {
+    const ScaledProblem scaled = scale(problem);
+    KktSystem system(scaled, KktSystem::Rows::None);
+    REQUIRE(system.factorise({}));
+    const MatrixXd expected = dense_flexibility(scaled);
+    RowFlexibility flexibility(scaled, system);
+    const Eigen::Index rows = problem.inequalities.rows();
+    REQUIRE(rows > 3);
+    // From the last row to the first: the order is the caller's.
+    for (Eigen::Index asked = 0; asked < rows; ++asked) {
+      const Eigen::VectorXd column = flexibility.add(rows - 1 - asked);
+      REQUIRE(column.size() == asked + 1);
+      for (Eigen::Index other = 0; other <= asked; ++other)
+        CHECK(column[other] == Approx(expected(rows - 1 - asked, rows - 1 - other)).margin(1e-7 * expected.maxCoeff()));
+    }
+  }
+}
+
+TEST_CASE("multipliers of random rows meet the optimality conditions, given at once or in parts") {
+  std::mt19937 random(3);
+  for (int trial = 0; trial < croquis::test::sample_count(200, 5000); ++trial) {
+    CAPTURE(trial);
+    const int rows = 1 + static_cast<int>(random() % 24u);
+    const int unknowns = 1 + static_cast<int>(random() % 30u);
+    const MatrixXd g = random_rows(random, rows, unknowns);
+    const MatrixXd flexibility = g * g.transpose();
+    // Some point meets all of them, so that they don't contradict each other.
+    const VectorXd bounds = g * random_rows(random, unknowns, 1) - 0.3 * random_rows(random, rows, 1).cwiseAbs();
+
+    DualActiveSet whole;
+    add_rows(flexibility, 0, rows, whole);
+    VectorXd violation = bounds;
+    REQUIRE(whole.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
+    check_optimal(flexibility, bounds, whole.multipliers());
+
+    DualActiveSet parts;
+    const Eigen::Index half = rows / 2;
+    add_rows(flexibility, 0, half, parts);
+    VectorXd first = bounds.head(half);
+    REQUIRE(parts.solve(first, tolerance) == DualActiveSet::Outcome::Solved);
+    add_rows(flexibility, half, rows, parts);
+    VectorXd second = bounds - flexibility.leftCols(half) * parts.multipliers().head(half);
+    REQUIRE(parts.solve(second, tolerance) == DualActiveSet::Outcome::Solved);
+    check_optimal(flexibility, bounds, parts.multipliers());
+  }
+}
+
+TEST_CASE("bounds that change a little are followed from the last active set") {
+  std::mt19937 random(5);
+  const MatrixXd g = random_rows(random, 12, 15);
+  const MatrixXd flexibility = g * g.transpose();
+  VectorXd bounds = random_rows(random, 12, 1);
+  DualActiveSet set;
+  add_rows(flexibility, 0, 12, set);
+  VectorXd violation = bounds;
+  REQUIRE(set.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
+  for (int change = 0; change < 30; ++change) {
+    CAPTURE(change);
+    bounds += 0.3 * random_rows(random, 12, 1);
+    violation = bounds - flexibility * set.multipliers();
+    REQUIRE(set.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
+    check_optimal(flexibility, bounds, set.multipliers());
+  }
+}
+
+TEST_CASE("rows that contradict each other are refused, repeated ones are not") {
+  MatrixXd opposite(2, 2);
+  opposite << 1, -1, -1, 1;
+  DualActiveSet contradictory;
+  add_rows(opposite, 0, 2, contradictory);
+  VectorXd violation = VectorXd::Constant(2, 0.5);
+  CHECK(contradictory.solve(violation, tolerance) == DualActiveSet::Outcome::Contradictory);
+
+  DualActiveSet repeated;
+  add_rows(MatrixXd::Ones(3, 3), 0, 3, repeated);
+  violation = (VectorXd(3) << 0.25, 1, 0.5).finished();
+  CHECK(repeated.solve(violation, tolerance) == DualActiveSet::Outcome::Solved);
+  CHECK(repeated.multipliers() == VectorXd((VectorXd(3) << 0, 1, 0).finished()));
 }

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/subdivision/refinement/face_mask.h"
+#include "algorithms/subdivision/refinement/point_rules.h"
 #include "subdivision/subdivided.h"
 #include "support/meshes/cages.h"
 #include "support/meshes/mesh_shapes.h"
@@ -122,22 +122,6 @@ TEST_CASE("pinned chain ends stay, by switch or by pin") {
     for (int k = 1; k <= 4; ++k) {
       CHECK(has_point(chain_points(result, k), Vec3(-1, -1, 0)));
       CHECK(has_point(chain_points(result, k), Vec3(-1, 1, 0)));
-    }
-  }
-}
-
-TEST_CASE("a chain with all its vertices pinned is its polygon") {
-  PolyMesh mesh = bolt_loop();
-  mesh.tags.pins = {8, 9, 10, 11};
-  for (const Preset preset : {Preset::Refined, Preset::Paper}) {
-    const Subdivided result = subdivide(mesh, 4, Rules::of(preset));
-    for (int k = 1; k <= 4; ++k) {
-      const std::vector<Vec3> points = chain_points(result, k);
-      for (const Vec3& p : points) {
-        CHECK(std::max(std::abs(p.x()), std::abs(p.y())) == 1);
-        CHECK(p.z() == 0);
-      }
-      for (Index v = 8; v < 12; ++v) CHECK(has_point(points, mesh.positions[v]));
     }
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -179,33 +178,6 @@ TEST_CASE("Closed chains are Chaikin's polygon of the cage's, and tend to its qu
   const std::vector<EdgeChain> deep = edge_chains(result.plan.level(6));
   const ChainCurve again = doo_sabin_curve(deep[0], result.at(6), {});
   CHECK(greatest_gap(dense(again, 64), dense(curves[0], 1 << 14)) < 1e-3);
-}
-
-TEST_CASE("The same curve is read off every level") {
-  const Refined result = refined(skewed(bolt_loop()), 3);
-  const ChainCurve first = doo_sabin_curve(edge_chains(result.plan.level(0))[0], result.at(0), {});
-  const EdgeChain chain = edge_chains(result.plan.level(3))[0];
-  for (std::size_t i = 0; i < chain.vertices.size(); ++i) {
-    const Vec3& a = result.at(3)[chain.vertices[i]];
-    const Vec3& b = result.at(3)[chain.vertices[(i + 1) % chain.vertices.size()]];
-    const Vec3 on_curve = (a + b) / 2;  // edges' middles are limit points, at parameters in eighths
-    double gap = 1;
-    for (const Vec3& p : dense(first, 64)) gap = std::min(gap, (p - on_curve).norm());
-    CHECK(gap < 1e-14);
-  }
-}
-
-TEST_CASE("A square loop tends to a rounded square with radii 1 to 3 sqrt(2)/4") {
-  const Refined result = refined(bolt_loop(), 1);
-  const ChainCurve curve = limit_curves(result.plan, result.points, {})[0];
-  double least = 10, greatest = 0;
-  for (const Vec3& p : dense(curve, 4096)) {
-    CHECK(p.z() == 0);
-    least = std::min(least, p.norm());
-    greatest = std::max(greatest, p.norm());
-  }
-  CHECK(least == Approx(1).margin(1e-12));
-  CHECK(greatest == Approx(3 * std::numbers::sqrt2 / 4).margin(1e-12));
 }
 
 TEST_CASE("Chains between corners are clamped, exactly, in the refined preset") {

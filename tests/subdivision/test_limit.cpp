@@ -194,14 +194,6 @@ TEST_CASE("Every exact limit point of a level is found again from the next level
   }
 }
 
-TEST_CASE("An open grid in the plane keeps its outline and its normal at the limit") {
-  const Refined result = refined(grid(4, 3), 3);
-  const LimitSurface surface = limit_of(result, 2);
-  CHECK(extent(surface.points) == Approx(5).margin(1e-12));
-  for (const Vec3& point : surface.points) CHECK(point.z() == 0);
-  for (const Vec3& normal : surface.corner_normals) CHECK((normal - Vec3::UnitZ()).norm() < 1e-12);
-}
-
 TEST_CASE("Limit normals point outwards on closed surfaces, in all schemes") {
   for (const PolyMesh& cage : {centred_cube(), uv_sphere(8, 6), icosahedron()}) {
     const auto check = [&](const HalfEdges& mesh, const LimitSurface& surface) {
@@ -452,21 +444,6 @@ TEST_CASE("With any tags, limits of the uniform schemes are finite and have norm
         }
       }
       CHECK(without <= surface.corner_normals.size() / 100);
-    }
-  }
-}
-
-TEST_CASE("Ends of chains that stay by rule or by pin stay at the limit") {
-  Rules rules;
-  rules.chain_ends = ChainEnds::Pin;
-  PolyMesh pinned = bolt_open_chain();
-  pinned.tags.pins = {8, 11};
-  for (const Refined& result : {refined(bolt_open_chain(), 2, rules), refined(pinned, 2)}) {
-    std::vector<std::uint8_t> exact;
-    const LimitSurface surface = limit_of(result, 0, &exact);
-    for (const Index end : {Index{8}, Index{11}}) {
-      CHECK(surface.points[end] == pinned.positions[end]);
-      CHECK(exact[end] == 1);
     }
   }
 }

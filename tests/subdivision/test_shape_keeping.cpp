@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -82,9 +82,6 @@ AttributeNetwork set_join(AttributeNetwork network, const std::vector<std::strin
 /// faces of which less than two sides are left.
 AttributeNetwork merge_nodes(AttributeNetwork network, const std::string& node, const std::string& into);
 
-/// Merges nodes that are no farther apart than the tolerance, the later ones into the first.
-AttributeNetwork merge_near_nodes(AttributeNetwork network, double tolerance);
-
 // ---- Slopes
 
 /// Slopes along a curve: for one face, or with an empty face for all of them.

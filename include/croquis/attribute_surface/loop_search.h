@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "croquis/attribute_surface/curve_edit.h"
@@ -64,5 +63,11 @@ struct LoopAround {
 /// @param views by curve
 std::optional<LoopAround> find_loop_around(const AttributeNetwork& network, const std::vector<ViewedCurve>& views,
                                            const Vec2& place, const LoopSearchOptions& options = {});
+
+/// The loop that lacks its face, so that hosts can offer it by itself: of the curves along fewer than two faces the one
+/// drawn last that fewest other curves lead back from, as long as that loop is no face yet. Curves inside faces are no
+/// borders. Breadth first, O(#curves²) at worst.
+/// @return closed, or empty where there is none
+SortedLoop open_loop(const AttributeNetwork& network, const LoopSearchOptions& options = {});
 
 }  // namespace croquis

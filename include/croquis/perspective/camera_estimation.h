@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -12,7 +12,6 @@
 #include "croquis/base/progress.h"
 #include "croquis/geometry/camera.h"
 #include "croquis/geometry/perspective_drawing.h"
-#include "croquis/perspective/per_axis.h"
 
 /// From the strokes of a drawing that run along the axes to the camera that it was seen with.
 ///
@@ -20,6 +19,23 @@
 /// two lines per axis and takes the orthocentre of the three vanishing points. Here all lines are fitted at once
 /// (maximum likelihood of their end points), so that vanishing points may lie at infinity.
 namespace croquis {
+
+/// One of something for each of the axes x, y and z, which are numbered 0..2 everywhere.
+template <typename T>
+class PerAxis {
+ public:
+  PerAxis() = default;
+  PerAxis(const T& x, const T& y, const T& z) : values_{x, y, z} {}
+
+  T& operator[](int axis) { return values_[static_cast<std::size_t>(axis)]; }
+  const T& operator[](int axis) const { return values_[static_cast<std::size_t>(axis)]; }
+
+  auto begin() const { return values_.begin(); }
+  auto end() const { return values_.end(); }
+
+ private:
+  std::array<T, 3> values_{};
+};
 
 /// The lengths of the perspective library that are said in u are parts of the sheet: 1 u is its diagonal / 1250, which
 /// is 1 px for a sheet of 1000 x 750 px. A drawing and its enlargement give the same result.
@@ -43,11 +59,13 @@ struct CameraOptions {
   double noise_floor = 0.15;    ///< u: drawings are never judged as more exact than this
   bool turn_round = false;      ///< x and y point the other way; a drawing can't tell
 };
+
 constexpr auto members(const CameraOptions& options) {
   return std::tie(options.mode, options.minimum_line, options.principal_spread, options.flat_principal_spread,
                   options.focal_length, options.focal_spread, options.outlier_sigmas, options.outlier_distance,
                   options.mode_rise, options.noise_floor, options.turn_round);
 }
+
 static_assert(lists_every_member<CameraOptions>);
 
 /// A stroke along an axis, and how well it points at its vanishing point.

@@ -24,9 +24,11 @@ struct CurveOptions {
   double fit_error = 1e-3;                          ///< × diagonal of the bounding box, or be so far off in space
   double joint_angle = 5 * std::numbers::pi / 180;  ///< radians: pieces of a path that turn more meet in a vertex
 };
+
 constexpr auto members(const CurveOptions& options) {
   return std::tie(options.fit_distance, options.fit_error, options.joint_angle);
 }
+
 static_assert(lists_every_member<CurveOptions>);
 
 /// A polynomial stand-in for a curve, for surfaces that need one.

@@ -45,15 +45,16 @@ struct FaceContinuityOptions {
   std::vector<std::string> sharp;  ///< ids of curves that stay sharp
 };
 
-struct FaceContinuity {
-  std::size_t smooth_edges = 0;
-  Findings warnings;  ///< SMOOTH_DROPPED
-};
-
 /// Finds the edges that faces cross smoothly, and sets BrepEdge::smooth and ::across. Handles of fitted cubics turn
 /// into a common plane at vertices where that is needed, but no curve leaves a plane that it lies in, no straight one
-/// and no vertex moves, and planar faces stay. Edges that can't be smooth then are named by SMOOTH_DROPPED. Edges
-/// between two planar faces stay as they are.
-FaceContinuity find_smooth_edges(Brep& brep, const FaceContinuityOptions& options = {});
+/// and no vertex moves, and planar faces stay. Edges between two planar faces stay
+/// as they are.
+/// @return SMOOTH_DROPPED for edges that can't be smooth then
+Findings find_smooth_edges(Brep& brep, const FaceContinuityOptions& options = {});
+
+/// The largest angle in radians between the normals of the two faces along smooth edges, and of the patches of a face
+/// along their common lines: what is left of a kink. Normals are one-sided limits at 33 places of each edge, so that no
+/// distance is chosen. 0 without smooth edges and patches. Linear.
+double greatest_normal_jump(const Brep& brep);
 
 }  // namespace croquis

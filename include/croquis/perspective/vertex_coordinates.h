@@ -4,9 +4,7 @@
 #include <array>
 #include <numbers>
 #include <span>
-#include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "croquis/base/finding.h"
@@ -39,12 +37,14 @@ struct CoordinateOptions {
   double grazing = 2 * std::numbers::pi / 180;  ///< radians: planes seen at a smaller angle give no depth
   double grazing_deviation = 0.05;              ///< × diagonal of the bounding box: from then on it is told
 };
+
 constexpr auto members(const CoordinateOptions& options) {
   return std::tie(options.promote, options.promote_sigmas, options.promote_distance, options.promote_ratio,
                   options.merge_planes, options.merge_distance, options.merge_rise, options.contradiction,
                   options.contradiction_noise, options.lone_contradiction, options.most_contradictions, options.grazing,
                   options.grazing_deviation);
 }
+
 static_assert(lists_every_member<CoordinateOptions>);
 
 /// A straight stroke that is taken for one along an axis.
@@ -62,19 +62,11 @@ struct MergedPlanes {
   double distance = 0;      ///< model units, before
 };
 
-/// How well everything else fits without a stroke.
-struct StrokeSuspicion {
-  Index stroke = no_index;
-  double rms = 0;  ///< px, over the degrees of freedom that are left
-};
-
 /// A stroke that says otherwise than the rest; its group is ignored.
 struct Contradiction {
   Index stroke = no_index;
   StrokeGroup fix = StrokeGroup::Unknown;  ///< the group that fits, Unknown if none does
   Index split = no_index;                  ///< a vertex that fits better as two, no_index if the stroke is to blame
-  double rms_before = 0;                   ///< px
-  double rms_after = 0;                    ///< px
 };
 
 /// Where vertices are. Model units.
@@ -111,11 +103,6 @@ VertexCoordinates solve_coordinates(const PerspectiveDrawing& drawing, const Dra
                                     const CameraEstimate& camera, std::span<const StrokeGroup> groups,
                                     std::span<const PromotedStroke> promoted, const CoordinateOptions& options,
                                     Progress& progress);
-
-/// Strokes by how well the rest fits without them, the most suspicious one first.
-std::vector<StrokeSuspicion> suspicions(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
-                                        const CameraEstimate& camera, std::span<const StrokeGroup> groups,
-                                        Progress& progress);
 
 /// The source's own way: from the given vertex on along edges, breadth first; each new vertex lies on its ray in the
 /// known plane that is seen least at a grazing angle. For previews and comparison; errors add up along the way.

@@ -43,9 +43,6 @@ Ray ray_at(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view
 /// The model point under a pixel at the target's distance.
 glm::dvec3 point_at_target(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view_size);
 
-/// The place of the sketch plane z = 0 under a pixel; none when the plane is seen edge on or lies behind the eye.
-std::optional<glm::dvec3> point_on_sketch(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view_size);
-
 /// Where a model point is seen; none when it is not in front of a perspective eye. Inverts the functions above.
 std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& point, const glm::dvec2& view_size);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -12,9 +14,34 @@
 #include "croquis/geometry/smooth_surface.h"
 #include "croquis/render/bounds.h"
 #include "croquis/render/color.h"
-#include "croquis/render/shared_array.h"
 
 namespace croquis::render {
+
+/// An array that never changes and that copies share: items of equal connectivity hold one, not two.
+template <typename Value>
+class SharedArray {
+ public:
+  SharedArray() = default;
+  SharedArray(std::vector<Value> values)  // NOLINT(google-explicit-constructor): so that it is filled like a vector
+      : values_(std::make_shared<const std::vector<Value>>(std::move(values))) {}
+
+  std::size_t size() const { return values_ ? values_->size() : 0; }
+  bool empty() const { return size() == 0; }
+  const Value* data() const { return values_ ? values_->data() : nullptr; }
+  const Value* begin() const { return data(); }
+  const Value* end() const { return data() + size(); }
+  const Value& operator[](std::size_t i) const { return (*values_)[i]; }
+
+  /// The array itself, which lives as long as it is needed; null for one never filled.
+  const std::shared_ptr<const std::vector<Value>>& shared() const { return values_; }
+
+  friend bool operator==(const SharedArray& a, const SharedArray& b) {
+    return a.values_ == b.values_ || (a.size() == b.size() && (a.empty() || *a.values_ == *b.values_));
+  }
+
+ private:
+  std::shared_ptr<const std::vector<Value>> values_;
+};
 
 /// A corner of a triangle as the graphics card takes it: what changes while a shape is being moved.
 struct SurfaceVertex {
@@ -120,5 +147,22 @@ std::vector<glm::dvec3> points_of(const std::vector<MeshItemPtr>& items);
 
 /// The i-th colour of the palette: muted, distinguishable with any colour vision, repeating after eight.
 Color palette_color(std::size_t index);
+
+/// Faces of a mesh item in a colour of their own: selected, hovered, matched … They are the surface's own triangles
+/// drawn once more, so nothing flickers; light, hollows and contours stay.
+struct FaceHighlight {
+  MeshItemPtr mesh;
+  SharedArray<std::uint32_t> triangles;                    ///< #T * 3, indices into the item's vertices
+  Color color;                                             ///< alpha is the strength over the faces' own colour
+  std::shared_ptr<const FaceHighlight> reduced = nullptr;  ///< of the item's reduced surface, where it has one
+};
+
+using FaceHighlightPtr = std::shared_ptr<const FaceHighlight>;
+
+/// Highlights faces.
+/// @param faces of the mesh that the item was made from, in any order
+/// @throws Error (E_INDEX, malformed) naming each face that the mesh doesn't have
+/// O(faces highlighted).
+FaceHighlightPtr make_face_highlight(const MeshItemPtr& mesh, std::span<const Index> faces, const Color& color);
 
 }  // namespace croquis::render

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "croquis/render/face_highlight.h"
 #include "croquis/render/line_item.h"
 #include "croquis/render/mark_item.h"
 #include "croquis/render/mesh_item.h"

@@ -20,9 +20,11 @@ struct FairingOptions {
   bool keep_planes = true;   ///< planar faces beside tagged edges stay in their planes, and so do planar chains; the
                              ///< angles across tags then stay as they are
 };
+
 constexpr auto members(const FairingOptions& options) {
   return std::tie(options.rules, options.levels, options.fair_chains, options.keep_planes);
 }
+
 static_assert(lists_every_member<FairingOptions>);
 
 struct FairCage {

@@ -46,9 +46,11 @@ struct Rules {
 
   static Rules of(Preset preset);
 };
+
 constexpr auto members(const Rules& rules) {
   return std::tie(rules.weights, rules.profile, rules.chain_ends, rules.boundary_corners);
 }
+
 static_assert(lists_every_member<Rules>);
 
 }  // namespace croquis::subdivision

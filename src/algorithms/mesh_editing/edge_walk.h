@@ -39,6 +39,7 @@ struct EdgeRing {
   std::vector<Index> faces;
   bool closed = false;
 };
+
 EdgeRing walk_ring(const MeshTopology& topology, Index edge);
 
 }  // namespace croquis

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "croquis/perspective/normal_jump.h"
+#include "croquis/perspective/edge_continuity.h"
 
 namespace croquis {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-#include "render/gl/vertex_places.h"
+#include "render/gl/uploads.h"
 
 namespace croquis::render {
 namespace {

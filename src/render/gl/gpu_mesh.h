@@ -4,10 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "croquis/render/face_highlight.h"
 #include "croquis/render/mesh_item.h"
 #include "render/gl/gl_handle.h"
-#include "render/gl/gpu_cache.h"
 #include "render/gl/uploads.h"
 
 namespace croquis::render {

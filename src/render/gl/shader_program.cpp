@@ -78,18 +78,23 @@ void ShaderProgram::set(const char* name, float value) const { glUniform1f(locat
 void ShaderProgram::set(const char* name, const glm::vec2& value) const {
   glUniform2fv(location(name), 1, glm::value_ptr(value));
 }
+
 void ShaderProgram::set(const char* name, const glm::vec3& value) const {
   glUniform3fv(location(name), 1, glm::value_ptr(value));
 }
+
 void ShaderProgram::set(const char* name, const glm::vec4& value) const {
   glUniform4fv(location(name), 1, glm::value_ptr(value));
 }
+
 void ShaderProgram::set(const char* name, const glm::ivec2& value) const {
   glUniform2iv(location(name), 1, glm::value_ptr(value));
 }
+
 void ShaderProgram::set(const char* name, const glm::mat3& value) const {
   glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
+
 void ShaderProgram::set(const char* name, const glm::mat4& value) const {
   glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <epoxy/gl.h>
-
 namespace croquis::render {
 namespace {
 

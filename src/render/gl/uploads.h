@@ -3,13 +3,49 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
+
+#include <epoxy/gl.h>
 
 #include "croquis/render/renderer.h"
 #include "render/gl/gl_handle.h"
 
 namespace croquis::render {
+
+/// What the graphics card holds of items: of every one drawn so far whose owner still holds it.
+template <typename Item, typename GpuItem>
+class GpuCache {
+ public:
+  /// Makes it when the item is new.
+  /// @param more what its constructor takes behind the item
+  template <typename... More>
+  GpuItem& get(const std::shared_ptr<const Item>& item, More&&... more) {
+    if (const auto found = items_.find(item); found != items_.end()) return found->second;
+    return items_.emplace(item, GpuItem(*item, std::forward<More>(more)...)).first->second;
+  }
+
+  /// The one that is there, or null.
+  GpuItem* find(const std::shared_ptr<const Item>& item) {
+    const auto found = items_.find(item);
+    return found != items_.end() ? &found->second : nullptr;
+  }
+
+  /// Frees what isn't used any more.
+  void drop_expired() {
+    std::erase_if(items_, [](const auto& entry) { return entry.first.expired(); });
+  }
+
+ private:
+  std::map<std::weak_ptr<const Item>, GpuItem, std::owner_less<>> items_;
+};
+
+/// Where shaders of surfaces and of lines alike read a vertex's position and colour.
+inline constexpr GLuint position_place = 0;
+inline constexpr GLuint color_place = 2;
 
 /// Items of at most so many bytes are never sent in slices.
 inline constexpr std::size_t small_item = std::size_t{1} << 20;

@@ -5,8 +5,10 @@
 #include <string>
 
 #include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 
 #include "croquis/base/finding.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis::render {
 
@@ -49,5 +51,7 @@ inline Finding not_there(SubjectKind kind, const std::string& name, std::size_t 
       "The " + name + " " + id + " is to be drawn, but there are only " + std::to_string(count) + "; leave it out.",
       {numbered_subject(kind, index)});
 }
+
+inline glm::dvec3 to_glm(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace croquis::render

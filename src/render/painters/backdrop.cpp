@@ -2,9 +2,8 @@
 #include "render/painters/backdrop.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "render/painters/drawing.h"
 
 namespace croquis::render {
 namespace {
@@ -37,6 +36,27 @@ Lattice lattice_of(const GridOptions& grid, const ViewFrame& view, double pixel_
   return lattice;
 }
 
+using Places = std::vector<glm::dvec3>;
+
+/// The letters x, y, z in a square of half side 1.
+const std::array<std::vector<Places>, 3>& letters() {
+  static const std::array<std::vector<Places>, 3> strokes = {{
+      {{{-0.8, -1, 0}, {0.8, 1, 0}}, {{-0.8, 1, 0}, {0.8, -1, 0}}},
+      {{{-0.8, 1, 0}, {0, 0, 0}, {0.8, 1, 0}}, {{0, 0, 0}, {0, -1, 0}}},
+      {{{-0.8, 1, 0}, {0.8, 1, 0}, {-0.8, -1, 0}, {0.8, -1, 0}}},
+  }};
+  return strokes;
+}
+
+LineItemPtr letter(std::size_t axis, const glm::dvec3& middle, double half_height, const LineStyle& style) {
+  std::vector<LinePath> lines;
+  for (Places places : letters()[axis]) {
+    for (glm::dvec3& place : places) place = middle + half_height * place;
+    lines.push_back(line_through(places));
+  }
+  return make_line_item(lines, style);
+}
+
 }  // namespace
 
 void set_backdrop(const ShaderProgram& program, const RenderOptions& options, const ViewFrame& view) {
@@ -52,6 +72,40 @@ void set_backdrop(const ShaderProgram& program, const RenderOptions& options, co
   program.set("grid_origin", glm::vec2(lattice.origin));
   program.set("grid_fine", static_cast<float>(lattice.fine_strength));
   program.set("grid_width", static_cast<float>(options.pixel_ratio));
+}
+
+std::vector<Shown<LineItem>> axis_cross(const RenderOptions& options, const ViewFrame& view) {
+  const AxisCrossOptions& cross = options.axis_cross;
+  const double size = cross.size * options.pixel_ratio;
+  const double letter_height = 4 * options.pixel_ratio;
+  const glm::dvec3 middle(size + 4 * letter_height, size + 4 * letter_height, 0);
+  std::array<std::size_t, 3> order = {0, 1, 2};
+  const auto in_view = [&](std::size_t axis) { return glm::dmat3(view.model_to_view) * cross.axes[axis] * view.unit; };
+  const auto away = [&](std::size_t axis) { return in_view(axis).z; };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+  std::vector<Shown<LineItem>> lines;
+  for (const std::size_t axis : order) {
+    const glm::dvec3 direction(in_view(axis).x, in_view(axis).y, 0);
+    LineStyle style{2, cross.colors[axis], cross.dashes[axis], LineDepth::OnTop};
+    lines.emplace_back(make_line_item(line_through(Places{middle, middle + size * direction}), style));
+    style.width = 1.5;
+    style.dash = {};
+    lines.emplace_back(letter(axis, middle + (size + 2.2 * letter_height) * direction, letter_height, style));
+  }
+  return lines;
+}
+
+OverlayFrame pixel_frame(const OverlayFrame& frame) {
+  OverlayFrame pixels = frame;
+  pixels.surfaces = nullptr;
+  pixels.view.perspective = false;
+  pixels.view.unit = 1;
+  pixels.view.model_to_view = glm::dmat4(1);
+  const glm::dvec3 corner(frame.view.crop.left, frame.view.crop.bottom, 0);
+  const glm::dmat4 to_share = glm::scale(glm::dmat4(1), glm::dvec3(2.0 / glm::dvec2(frame.size), 1));
+  pixels.view.to_clip =
+      glm::mat4(glm::translate(glm::dmat4(1), glm::dvec3(-1, -1, 0)) * glm::translate(to_share, -corner));
+  return pixels;
 }
 
 }  // namespace croquis::render

@@ -4,9 +4,8 @@
 #include <glm/glm.hpp>
 
 #include "croquis/render/renderer.h"
-#include "render/gl/frame_buffers.h"
+#include "render/gl/gl_handle.h"
 #include "render/gl/uploads.h"
-#include "render/scene/screen_rect.h"
 #include "render/scene/view_frame.h"
 
 namespace croquis::render {

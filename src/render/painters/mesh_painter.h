@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "render/gl/gpu_cache.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/gl/shader_program.h"
+#include "render/gl/uploads.h"
 #include "render/painters/drawing.h"
 
 namespace croquis::render {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/painters/surface_painter.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <epoxy/gl.h>
-
-#include "render/painters/occlusion_reach.h"
 
 namespace croquis::render {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <list>
 
 #include "render/gl/shader_program.h"
@@ -8,6 +9,18 @@
 #include "render/painters/mesh_painter.h"
 
 namespace croquis::render {
+
+/// How far hollows look around for what hides their sky.
+struct OcclusionReach {
+  int pixels = 0;
+  double picture_share = 0;  ///< the same relative to the picture's height
+};
+
+/// Seven hundredths of the picture's height, but no more pixels than a tile's border may reasonably have.
+inline OcclusionReach occlusion_reach(int picture_height) {
+  const int pixels = std::clamp(picture_height * 7 / 100, 1, 80);
+  return {pixels, static_cast<double>(pixels) / picture_height};
+}
 
 /// Draws meshes: first what is seen at every sample into textures, then light and contours from these, only where
 /// something may be seen. One sample without hollows is drawn by a quicker method, with plainer contours.

@@ -117,17 +117,6 @@ glm::dvec3 point_at_target(const Camera& camera, const glm::dvec2& pixel, const 
   return ray.origin + ray.direction * (glm::distance(camera.eye, camera.target) / glm::dot(ray.direction, ahead));
 }
 
-std::optional<glm::dvec3> point_on_sketch(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& view_size) {
-  const Ray ray = ray_at(camera, pixel, view_size);
-  // Below this slope one pixel spans too much of the plane.
-  constexpr double edge_on = 1e-6;
-  if (std::abs(ray.direction.z) < edge_on) return std::nullopt;
-  const double way = -ray.origin.z / ray.direction.z;
-  if (way <= 0 && camera.projection == Projection::Perspective) return std::nullopt;
-  const glm::dvec3 point = ray.origin + way * ray.direction;
-  return glm::dvec3(point.x, point.y, 0);
-}
-
 std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& point, const glm::dvec2& view_size) {
   const Axes axes = axes_of(camera);
   const glm::dvec3 offset = point - camera.eye;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "croquis/render/scene.h"
 
+#include "croquis/render/render_options.h"
 #include "render/items/item_frame.h"
 
 namespace croquis::render {
@@ -50,6 +51,20 @@ std::vector<glm::dvec3> points_of(const Scene& scene) {
       points.push_back(glm::dvec3(shown.placement * glm::dvec4(to_model(*shown.item, place), 1)));
   }
   return points;
+}
+
+RenderOptions RenderOptions::interactive() {
+  RenderOptions options;
+  options.supersampling = 1;
+  options.occlusion = false;
+  return options;
+}
+
+RenderOptions RenderOptions::paper() {
+  RenderOptions options;
+  options.background_top = options.background_bottom = {252, 251, 248, 255};
+  options.grid.kind = GridKind::Dots;
+  return options;
 }
 
 }  // namespace croquis::render

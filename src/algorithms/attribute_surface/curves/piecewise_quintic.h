@@ -43,6 +43,7 @@ struct QuinticEnd {
   Vec3 slope = Vec3::Zero();
   Vec3 bend = Vec3::Zero();
 };
+
 QuinticPiece quintic_between(const QuinticEnd& a, const QuinticEnd& b);
 
 /// A smooth path of vectors over 0..1 as quintics on even pieces, fitted to a tolerance. It is read without searching:

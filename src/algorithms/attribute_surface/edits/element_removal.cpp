@@ -2,7 +2,6 @@
 #include "algorithms/attribute_surface/edits/element_removal.h"
 
 #include <cstddef>
-#include <utility>
 
 namespace croquis {
 namespace {

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include "algorithms/attribute_surface/edits/edit_errors.h"
 #include "algorithms/attribute_surface/edits/element_removal.h"
 #include "algorithms/attribute_surface/edits/loop_shape.h"
 #include "algorithms/attribute_surface/network/loop_curves.h"
-#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/attribute_surface/arc_length_curve.h"
 #include "croquis/attribute_surface/face_edit.h"
 #include "croquis/geometry/polyline.h"

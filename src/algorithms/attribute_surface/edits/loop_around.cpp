@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
-#include "algorithms/attribute_surface/edits/curve_ends.h"
-#include "algorithms/attribute_surface/edits/mean_value.h"
+#include "algorithms/attribute_surface/edits/loop_shape.h"
+#include "algorithms/attribute_surface/edits/open_loop.h"
 #include "croquis/attribute_surface/loop_search.h"
 
 namespace croquis {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves put into the order of a loop.
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <set>
 #include <utility>
 
-#include "algorithms/attribute_surface/edits/curve_ends.h"
-#include "algorithms/attribute_surface/edits/edit_errors.h"
-#include "algorithms/attribute_surface/network/network_words.h"
+#include "algorithms/attribute_surface/edits/element_removal.h"
+#include "algorithms/attribute_surface/edits/open_loop.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/attribute_surface/face_edit.h"
 #include "croquis/attribute_surface/loop_search.h"
 

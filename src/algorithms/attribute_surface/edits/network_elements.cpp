@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "algorithms/attribute_surface/edits/edit_errors.h"
+#include "algorithms/attribute_surface/edits/element_removal.h"
 #include "croquis/base/text.h"
 
 namespace croquis {

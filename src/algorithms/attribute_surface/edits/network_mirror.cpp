@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "algorithms/attribute_surface/edits/edit_errors.h"
+#include "algorithms/attribute_surface/edits/element_removal.h"
 #include "algorithms/attribute_surface/edits/network_image.h"
 
 namespace croquis {

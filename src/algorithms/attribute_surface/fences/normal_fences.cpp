@@ -3,19 +3,213 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
+#include <memory>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/attribute_surface/fences/smooth_corners.h"
-#include "algorithms/attribute_surface/network/network_words.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
+#include "croquis/attribute_surface/arc_length_curve.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 namespace {
+
+/// A curve as a loop walks along it.
+struct DirectedCurve {
+  std::shared_ptr<const ArcLengthCurve> curve;
+  bool reversed = false;
+
+  Vec3 at(double t) const { return curve->at(reversed ? 1 - t : t); }
+  Vec3 tangent(double t) const;  ///< unit
+};
+
+/// Where the normals of a loop come from.
+struct LoopNormals {
+  Vec3 newell = Vec3::Zero();  ///< of the whole loop, unit; zero for a loop that encloses nothing
+  std::vector<Vec3> corners;   ///< unit, at the start of each side: of the tangents that meet there
+};
+
+/// Sines of the corner's angle: below the first the corner has no say, from the sum on it has all.
+constexpr double least_sine = 0.02;
+constexpr double sine_range = 0.18;
+
+constexpr int newell_samples = 32;
+
+double smooth_step(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+Vec3 newell_normal(const std::vector<DirectedCurve>& loop) {
+  const Vec3 origin = loop.front().at(0);
+  Vec3 before = Vec3::Zero();
+  Vec3 sum = Vec3::Zero();
+  for (const DirectedCurve& side : loop) {
+    for (int i = 1; i <= newell_samples; ++i) {
+      const Vec3 point = side.at(static_cast<double>(i) / newell_samples) - origin;
+      sum += before.cross(point);
+      before = point;
+    }
+  }
+  return unit_or_zero(sum);
+}
+
+Vec3 corner_normal(const Vec3& arriving, const Vec3& leaving, const Vec3& newell) {
+  const Vec3 product = leaving.cross(-arriving);
+  const double sine = product.norm();
+  const double share = smooth_step((sine - least_sine) / sine_range);
+  Vec3 normal = (1 - share) * unit_or_zero(newell - newell.dot(leaving) * leaving);
+  if (share > 0) normal += share * (product.dot(newell) < 0 ? -1 : 1) / sine * product;
+  return normal.norm() > 1e-9 ? Vec3(normal.normalized()) : Vec3(leaving.unitOrthogonal());
+}
+
+Vec3 DirectedCurve::tangent(double t) const {
+  const Vec3 along = curve->place(reversed ? 1 - t : t).derivative.normalized();
+  return reversed ? Vec3(-along) : along;
+}
+
+/// Where the tangents of a corner are nearly parallel its normal goes over to the loop's, without a threshold.
+LoopNormals loop_normals(const std::vector<DirectedCurve>& loop) {
+  LoopNormals result;
+  result.newell = newell_normal(loop);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const DirectedCurve& before = loop[(i + loop.size() - 1) % loop.size()];
+    result.corners.push_back(corner_normal(before.tangent(1), loop[i].tangent(0), result.newell));
+  }
+  return result;
+}
+
+/// A corner of a face: where its side begins.
+struct FaceCorner {
+  Index face = no_index;
+  std::size_t side = 0;
+};
+
+/// Corners of faces that meet smoothly, in one place.
+struct CornerGroup {
+  std::vector<FaceCorner> corners;
+  Vec3 normal = Vec3::Zero();  ///< unit, for the first corner's face
+  bool knife_edge = false;     ///< the faces' own normals point away from each other: there is no common one
+};
+
+/// By face, what its loop is like. Faces without a fence have none.
+struct FaceShape {
+  std::vector<DirectedCurve> loop;
+  LoopNormals normals;
+};
+
+/// The common normals of corners that smooth curves join.
+class SmoothCorners {
+ public:
+  SmoothCorners(const FenceInput& input, const std::vector<bool>& smooth, const std::vector<FaceShape>& shapes);
+
+  const CornerGroup& group(const FaceCorner& corner) const { return groups_[entry(corner).group]; }
+
+  /// The group's normal as that face has it: turned round where its loop runs the other way.
+  Vec3 normal(const FaceCorner& corner) const;
+
+ private:
+  struct Entry {
+    std::size_t group = 0;
+    bool turned = false;  ///< against the group's first corner
+  };
+  struct Link {
+    std::size_t other = 0;
+    bool turned = false;
+  };
+
+  const Entry& entry(const FaceCorner& corner) const { return entries_[number(corner)]; }
+  std::size_t number(const FaceCorner& corner) const { return first_of_face_[corner.face] + corner.side; }
+  void link_along(const FenceInput& input, Index curve);
+  void gather(std::size_t first);
+
+  const std::vector<FaceShape>& shapes_;
+  std::vector<std::size_t> first_of_face_;
+  std::vector<FaceCorner> corners_;
+  std::vector<std::vector<Link>> links_;
+  std::vector<Entry> entries_;
+  std::vector<CornerGroup> groups_;
+};
+
+constexpr std::size_t no_group = ~std::size_t{0};
+/// A sum of unit normals below this part of their number is a knife edge's.
+constexpr double least_agreement = 0.3;
+
+/// Which side of a face a curve is. @pre it is one
+std::size_t side_of(const AttributeFace& face, Index curve) {
+  return static_cast<std::size_t>(std::ranges::find(face.loop, curve, &AttributeSide::curve) - face.loop.begin());
+}
+
+/// The corner of a face at the start or the end of a curve.
+FaceCorner corner_at(const AttributeNetwork& network, Index face, Index curve, bool end) {
+  const std::vector<AttributeSide>& loop = network.faces[face].loop;
+  const std::size_t side = side_of(network.faces[face], curve);
+  return {face, loop[side].reversed == end ? side : (side + 1) % loop.size()};
+}
+
+SmoothCorners::SmoothCorners(const FenceInput& input, const std::vector<bool>& smooth,
+                             const std::vector<FaceShape>& shapes)
+    : shapes_(shapes) {
+  for (Index face = 0; face < input.network.faces.size(); ++face) {
+    first_of_face_.push_back(corners_.size());
+    for (std::size_t side = 0; side < shapes[face].loop.size(); ++side) corners_.push_back({face, side});
+  }
+  links_.resize(corners_.size());
+  entries_.resize(corners_.size(), {no_group, false});
+  for (Index curve = 0; curve < smooth.size(); ++curve) {
+    if (smooth[curve]) link_along(input, curve);
+  }
+  for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
+    if (entries_[corner].group == no_group) gather(corner);
+  }
+}
+
+void SmoothCorners::link_along(const FenceInput& input, Index curve) {
+  const Index first = input.faces_of_curve[curve][0];
+  const Index second = input.faces_of_curve[curve][1];
+  const auto reversed = [&](Index face) {
+    const AttributeFace& of = input.network.faces[face];
+    return of.loop[side_of(of, curve)].reversed;
+  };
+  const bool turned = reversed(first) == reversed(second);
+  for (const bool end : {false, true}) {
+    const std::size_t a = number(corner_at(input.network, first, curve, end));
+    const std::size_t b = number(corner_at(input.network, second, curve, end));
+    links_[a].push_back({b, turned});
+    links_[b].push_back({a, turned});
+  }
+}
+
+void SmoothCorners::gather(std::size_t first) {
+  CornerGroup group;
+  Vec3 sum = Vec3::Zero();
+  std::vector<std::size_t> waiting{first};
+  entries_[first] = {groups_.size(), false};
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    const FaceCorner corner = corners_[waiting[i]];
+    group.corners.push_back(corner);
+    const bool turned = entries_[waiting[i]].turned;
+    sum += (turned ? -1 : 1) * shapes_[corner.face].normals.corners[corner.side];
+    for (const Link& link : links_[waiting[i]]) {
+      if (entries_[link.other].group != no_group) continue;
+      entries_[link.other] = {groups_.size(), turned != link.turned};
+      waiting.push_back(link.other);
+    }
+  }
+  group.knife_edge = sum.norm() < least_agreement * static_cast<double>(waiting.size());
+  group.normal = unit_or_zero(sum);
+  groups_.push_back(group);
+}
+
+Vec3 SmoothCorners::normal(const FaceCorner& corner) const {
+  const Entry& found = entry(corner);
+  return found.turned ? Vec3(-groups_[found.group].normal) : groups_[found.group].normal;
+}
 
 /// A normal nearer than this to a curve's tangent says nothing about the surface, radians.
 constexpr double least_slope_angle = std::numbers::pi / 180;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "algorithms/attribute_surface/network/network_words.h"
 #include "croquis/attribute_surface/curve_edit.h"
 #include "croquis/base/stage_key.h"
+#include "croquis/base/text.h"
 #include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis {
@@ -152,6 +152,21 @@ class MetCurve {
 };
 
 }  // namespace
+
+std::string quoted(const std::string& id) { return '"' + id + '"'; }
+
+std::string rounded_text(double number) { return number_text(number, 4); }
+
+std::string length_text(const AttributeNetwork& network, double length) {
+  return rounded_text(length) + (network.units.empty() ? "" : " " + network.units);
+}
+
+Subject subject_of(SubjectKind kind, const std::string& id) {
+  Subject subject;
+  subject.kind = kind;
+  subject.id = id;
+  return subject;
+}
 
 std::vector<Vec3> with_ends_moved(std::vector<Vec3> control, const Vec3& start, const Vec3& end) {
   const Vec3 start_move = start - control.front();

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "algorithms/attribute_surface/network/network_words.h"
+#include "algorithms/attribute_surface/network/loop_curves.h"
 #include "croquis/base/stage_key.h"
 
 namespace croquis {

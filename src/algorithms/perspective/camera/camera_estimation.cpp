@@ -5,19 +5,44 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "algorithms/perspective/camera/axis_fit.h"
-#include "algorithms/perspective/camera/axis_signs.h"
-#include "algorithms/perspective/camera/camera_modes.h"
+#include "algorithms/perspective/camera/camera_fit.h"
 #include "algorithms/perspective/stroke_words.h"
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
 
 namespace croquis {
 namespace {
+
+/// An axis that is seen shorter than this part of its length is judged by its direction in depth instead.
+constexpr double least_seen = 1e-3;
+
+/// How the picture moves along an axis at a place, per focal length: 1 where the axis lies across the view.
+Vec2 seen_direction(const CameraParameters& camera, int axis, const Vec2& place) {
+  const Vec3 point = camera.vanishing_point(axis);
+  return (point.head<2>() - point.z() * place) / camera.focal();
+}
+
+/// Vanishing points leave the signs of the axes open. Chosen so that at that place of the picture z goes up and x to
+/// the right, where they are seen from the side; else z comes towards the eye and x goes away from it. y makes the
+/// world right-handed.
+/// @param place u
+/// @param turn_round the other of the two worlds with z up
+Eigen::Matrix3d signed_axes(const CameraParameters& camera, const Vec2& place, bool turn_round) {
+  Eigen::Matrix3d axes = camera.rotation;
+  const Vec2 up = seen_direction(camera, 2, place);
+  const bool z_is_down = std::abs(up.y()) > least_seen ? up.y() > 0 : axes(2, 2) > 0;
+  if (z_is_down) axes.col(2) = -axes.col(2);
+  const Vec2 right = seen_direction(camera, 0, place);
+  const bool x_is_left = std::abs(right.x()) > least_seen ? right.x() < 0 : axes(2, 0) < 0;
+  if (x_is_left != turn_round) axes.col(0) = -axes.col(0);
+  if (axes.determinant() < 0) axes.col(1) = -axes.col(1);
+  return axes;
+}
 
 /// Chi-squared that being a picture of right angles may cost, before there is no eye for it.
 constexpr double eye_rise = 25;

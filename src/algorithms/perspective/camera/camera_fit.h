@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/camera/axis_fit.h"
-#include "algorithms/perspective/camera/axis_lines.h"
+#include "croquis/base/progress.h"
 
 namespace croquis {
 
@@ -68,6 +68,28 @@ struct Orthocentre {
   Vec2 point = Vec2::Zero();
   double focal_squared = 0;  ///< not positive where the triangle isn't acute
 };
+
 std::optional<Orthocentre> orthocentre(const PerAxis<Vec3>& vanishing_points);
+
+/// What is known about the camera before looking at lines.
+CameraPrior camera_prior(const PerspectiveDrawing& drawing, const SheetFrame& frame, const CameraOptions& options,
+                         const AxisFits& axes);
+
+/// A noise to judge by: that of the axes' own fits, never below the floor, u.
+double judging_sigma(const AxisFits& axes, const CameraOptions& options);
+
+/// Fits of every set of flat axes that is allowed: three, two, one finite vanishing point in this order.
+std::vector<CameraFit> fit_all_modes(const std::vector<AxisLine>& lines, const AxisFits& axes, const CameraPrior& prior,
+                                     double sigma, PerspectiveMode mode, Progress& progress);
+
+/// The simplest fit that explains the lines nearly as well as the best one.
+const CameraFit& simplest_fit(const std::vector<CameraFit>& fits, const AxisFits& axes, double sigma,
+                              const CameraOptions& options);
+
+/// Leaves out the lines that no camera explains together with the others, as far as may be.
+/// @param lines outliers are marked
+/// @return whether far more would have to be left out than may be
+bool leave_out_joint_outliers(std::vector<AxisLine>& lines, const AxisFits& axes, const CameraPrior& prior,
+                              const CameraOptions& options, Progress& progress);
 
 }  // namespace croquis

@@ -4,10 +4,12 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "algorithms/perspective/solid/plane_axes.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/perspective/edge_continuity.h"
 
@@ -131,11 +133,7 @@ class SmoothEdges {
   std::vector<Vec3> planes_of(const BrepEdge& edge) const {
     std::vector<Vec3> normals;
     for (int axis = 0; axis < 3; ++axis) {
-      const double level = edge.fitted[0].points[0][axis];
-      const bool flat = std::ranges::all_of(edge.fitted, [&](const RationalCubic& cubic) {
-        return std::ranges::all_of(cubic.points, [&](const Vec3& p) { return p[axis] == level; });
-      });
-      if (flat) normals.push_back(Vec3::Unit(axis));
+      if (common_level(edge.fitted, axis) != nullptr) normals.push_back(Vec3::Unit(axis));
     }
     for (const Index h : edge.half_edges) {
       if (h == no_index || !face_of(h).planar) continue;
@@ -185,36 +183,84 @@ class SmoothEdges {
 };
 
 Finding smooth_dropped(const BrepEdge& edge) {
-  Subject subject;
-  subject.kind = SubjectKind::Stroke;
-  subject.id = edge.id;
   return make_warning(Category::Geometry, "SMOOTH_DROPPED",
                       "The faces along stroke " + edge.id +
                           " nearly go on smoothly, but the strokes at its ends don't lie in one plane: turn their ends "
                           "into a common plane or keep the edge sharp.",
-                      {subject});
+                      {{SubjectKind::Stroke, edge.id, {}, {}, {}}});
+}
+
+constexpr int places_per_edge = 32;  ///< spans; one place more
+
+/// Along a side of a patch, a part t of the way.
+Vec3 normal_on_side(const GregoryPatch& patch, std::size_t side, double t) {
+  const auto [u, v] = place_on_side(side, t);
+  return patch.at(u, v).normal();
+}
+
+/// The outward normal of a face along one of its half-edges. @param t 0..1 on the half-edge's own way
+Vec3 normal_along(const Brep& brep, Index half_edge, double t) {
+  const BrepFace& face = brep.faces[brep.face_of(half_edge)];
+  if (face.planar) return face.normal;
+  const std::vector<Index> around = brep.around(face.loops.front());
+  const auto i = static_cast<std::size_t>(std::ranges::find(around, half_edge) - around.begin());
+  if (face.patches.size() == 1) return normal_on_side(face.patches.front(), i, t);
+  if (t <= 0.5) return normal_on_side(face.patches[i], 0, 2 * t);
+  return normal_on_side(face.patches[(i + 1) % around.size()], 3, 2 * t - 1);
+}
+
+double jump_across(const Brep& brep, const BrepEdge& edge) {
+  double greatest = 0;
+  for (int k = 0; k <= places_per_edge; ++k) {
+    const double t = static_cast<double>(k) / places_per_edge;
+    const Vec3 one = normal_along(brep, edge.half_edges[0], t), other = normal_along(brep, edge.half_edges[1], 1 - t);
+    greatest = std::max(greatest, angle_between(one, other));
+  }
+  return greatest;
+}
+
+/// Patch i meets patch i+1 in the line from the middle of half-edge i to the middle of the face.
+double jump_inside(const BrepFace& face) {
+  double greatest = 0;
+  for (std::size_t i = 0; face.patches.size() > 1 && i < face.patches.size(); ++i) {
+    const GregoryPatch &patch = face.patches[i], &next = face.patches[(i + 1) % face.patches.size()];
+    for (int k = 0; k <= places_per_edge; ++k) {
+      const double t = static_cast<double>(k) / places_per_edge;
+      greatest = std::max(greatest, angle_between(normal_on_side(patch, 1, t), normal_on_side(next, 2, 1 - t)));
+    }
+  }
+  return greatest;
 }
 
 }  // namespace
 
-FaceContinuity find_smooth_edges(Brep& brep, const FaceContinuityOptions& options) {
+Findings find_smooth_edges(Brep& brep, const FaceContinuityOptions& options) {
   SmoothEdges search(brep, options.angle);
   std::set<Index> smooth;
   for (Index e = 0; e < brep.edges.size(); ++e) {
     brep.edges[e].smooth = false;
     if (std::ranges::count(options.sharp, brep.edges[e].id) == 0 && search.turns_little(e)) smooth.insert(e);
   }
-  FaceContinuity result;
+  Findings warnings;
   const std::vector<BrepEdge> drawn = brep.edges;
   while (const std::optional<Index> worst = search.flatten(smooth)) {
     smooth.erase(*worst);
-    result.warnings.push_back(smooth_dropped(brep.edges[*worst]));
+    warnings.push_back(smooth_dropped(brep.edges[*worst]));
     brep.edges = drawn;
   }
   for (const Index e : smooth) search.set_across(e);
-  result.smooth_edges = smooth.size();
-  std::ranges::sort(result.warnings, {}, &Finding::message);
-  return result;
+  std::ranges::sort(warnings, {}, &Finding::message);
+  return warnings;
+}
+
+double greatest_normal_jump(const Brep& brep) {
+  double greatest = 0;
+  for (const BrepEdge& edge : brep.edges) {
+    const bool has_both = edge.half_edges[0] != no_index && edge.half_edges[1] != no_index;
+    if (edge.smooth && has_both) greatest = std::max(greatest, jump_across(brep, edge));
+  }
+  for (const BrepFace& face : brep.faces) greatest = std::max(greatest, jump_inside(face));
+  return greatest;
 }
 
 }  // namespace croquis

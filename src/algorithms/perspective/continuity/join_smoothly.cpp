@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/perspective/solid/plane_axes.h"
 #include "croquis/perspective/edge_continuity.h"
 
 namespace croquis {
@@ -88,11 +89,7 @@ class JointMaker {
   /// The axis that a curve lies at right angles to, if any.
   std::optional<int> plane_of(const NetworkCurve& curve) const {
     for (int axis = 0; axis < 3; ++axis) {
-      const double level = curve.pieces[0].points[0][axis];
-      const bool flat = std::ranges::all_of(curve.pieces, [&](const RationalCubic& piece) {
-        return std::ranges::all_of(piece.points, [&](const Vec3& p) { return p[axis] == level; });
-      });
-      if (flat) return axis;
+      if (common_level(curve.pieces, axis) != nullptr) return axis;
     }
     return std::nullopt;
   }

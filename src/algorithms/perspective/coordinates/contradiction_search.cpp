@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/perspective/camera/sheet_frame.h"
+
 namespace croquis {
 namespace {
 
@@ -89,7 +91,7 @@ class ContradictionSearch {
         continue;
       }
       if (static_cast<int>(found.size()) == options_.most_contradictions) break;
-      found.push_back(contradiction(now, worst));
+      found.push_back(contradiction(worst));
       tied_.ties.groups[worst.stroke] = StrokeGroup::Unknown;
     }
     return found;
@@ -149,11 +151,9 @@ class ContradictionSearch {
            without.solution.worst() < options_.lone_contradiction * sigma_;
   }
 
-  Contradiction contradiction(const SolvedVertices& now, const StrokeSuspicion& worst) {
+  Contradiction contradiction(const StrokeSuspicion& worst) {
     Contradiction result;
     result.stroke = worst.stroke;
-    result.rms_before = now.solution.rms();
-    result.rms_after = worst.rms;
     result.fix = better_group(worst);
     if (result.fix == StrokeGroup::Unknown && worst.rms > normal_rms * sigma_)
       result.split = vertex_to_split(worst.rms);
@@ -257,6 +257,23 @@ std::vector<Contradiction> resolve_contradictions(TiedVertices& tied, std::span<
                                                   const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                                                   const CoordinateOptions& options, Progress& progress) {
   return ContradictionSearch(tied, drawn, sigma, drawing, vertices, options).run(progress);
+}
+
+TiedVertices tied_vertices(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                           const CameraEstimate& camera, std::span<const StrokeGroup> groups) {
+  const double unit = SheetFrame(drawing).unit;
+  TiedVertices tied;
+  tied.seen.rotation = camera.camera.rotation;
+  tied.seen.focal = camera.camera.focal_length / unit;
+  for (const DrawingVertex& vertex : vertices.vertices) {
+    tied.seen.places.push_back((vertex.position - camera.camera.principal_point) / unit);
+    double weight = 0;
+    for (const StrokeEnd& end : vertex.ends) weight += drawing.strokes[end.stroke].weight;
+    tied.seen.weights.push_back(weight / static_cast<double>(vertex.ends.size()));
+  }
+  tied.ties.of_stroke = vertices.of_stroke;
+  tied.ties.groups.assign(groups.begin(), groups.end());
+  return tied;
 }
 
 }  // namespace croquis

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "algorithms/perspective/coordinates/class_solution.h"
-#include "algorithms/perspective/coordinates/class_table.h"
 #include "croquis/base/progress.h"
 #include "croquis/perspective/vertex_coordinates.h"
 
 namespace croquis {
+
+/// How well everything else fits without a stroke.
+struct StrokeSuspicion {
+  Index stroke = no_index;
+  double rms = 0;  ///< u, over the degrees of freedom that are left
+};
 
 /// All that a solve depends on.
 struct TiedVertices {
@@ -42,5 +48,9 @@ std::vector<StrokeSuspicion> ranked_strokes(const TiedVertices& tied, const std:
 std::vector<Contradiction> resolve_contradictions(TiedVertices& tied, std::span<const StrokeGroup> drawn, double sigma,
                                                   const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
                                                   const CoordinateOptions& options, Progress& progress);
+
+/// The vertices of a drawing as its camera sees them, and what its strokes tie.
+TiedVertices tied_vertices(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                           const CameraEstimate& camera, std::span<const StrokeGroup> groups);
 
 }  // namespace croquis

@@ -2,10 +2,18 @@
 #include "algorithms/perspective/coordinates/plane_merging.h"
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
+
+#include "algorithms/perspective/camera/sheet_frame.h"
+#include "croquis/base/limits.h"
+#include "croquis/perspective/vertex_coordinates.h"
 
 namespace croquis {
 namespace {
@@ -69,6 +77,15 @@ double gap_limit(const TiedVertices& tied, double noise, const CoordinateOptions
   return std::max(options.merge_distance, std::min(coarse, greatest));
 }
 
+/// The coordinate that both ends of a stroke have in common and along which the ray goes most.
+int passed_axis(StrokeGroup group, const Vec3& ray) {
+  const int axis = axis_of(group);
+  if (!is_parallel(group)) return axis;
+  const int one = (axis + 1) % 3;
+  const int other = (axis + 2) % 3;
+  return std::abs(ray[one]) >= std::abs(ray[other]) ? one : other;
+}
+
 }  // namespace
 
 double component_diagonal(const SolvedVertices& solved, Index component) {
@@ -108,6 +125,51 @@ std::vector<MergedPlanes> merge_planes(TiedVertices& tied, SolvedVertices& now, 
     }
   }
   return merged;
+}
+
+std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, std::span<const StrokeGroup> groups,
+                                             const CameraEstimate& camera, const CoordinateOptions& options) {
+  const double unit = SheetFrame(drawing).unit;
+  const double limit = std::max(options.promote_sigmas * camera.sigma, options.promote_distance * unit);
+  std::vector<PromotedStroke> promoted;
+  for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
+    const PerspectiveStroke& stroke = drawing.strokes[s];
+    if (!stroke.straight || groups[s] == StrokeGroup::Unknown || is_parallel(groups[s])) continue;
+    if (!are_usable_numbers(stroke.start()) || !are_usable_numbers(stroke.end())) continue;
+    PerAxis<double> misses;
+    for (int k = 0; k < 3; ++k) {
+      misses[k] = vanishing_residual(camera.vanishing_points[k], stroke.start(), stroke.end());
+    }
+    const int one = (axis_of(groups[s]) + 1) % 3;
+    const int other = (axis_of(groups[s]) + 2) % 3;
+    const auto [nearer, farther] = misses[one] <= misses[other] ? std::pair(one, other) : std::pair(other, one);
+    // A short stroke misses neither by much: the other axis has to be told from it beyond the noise, too.
+    if (misses[nearer] >= limit || misses[farther] <= std::max(options.promote_ratio * misses[nearer], limit)) continue;
+    promoted.push_back({static_cast<Index>(s), static_cast<StrokeGroup>(nearer)});
+  }
+  return promoted;
+}
+
+std::vector<Vec3> propagate(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                            const CameraEstimate& camera, std::span<const StrokeGroup> groups, Index from,
+                            double first_depth) {
+  const TiedVertices tied = tied_vertices(drawing, vertices, camera, groups);
+  std::vector<Vec3> positions(vertices.vertices.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  positions[from] = first_depth * tied.seen.ray(from);
+  std::deque<Index> queue{from};
+  while (!queue.empty()) {
+    const Index a = queue.front();
+    queue.pop_front();
+    for (const StrokeEnd& end : vertices.vertices[a].ends) {
+      const Index b = vertices.of_stroke[end.stroke][end.at_end ? 0 : 1];
+      if (groups[end.stroke] == StrokeGroup::Unknown || b == no_index || positions[b].allFinite()) continue;
+      const Vec3 ray = tied.seen.ray(b);
+      const int axis = passed_axis(groups[end.stroke], ray);
+      positions[b] = positions[a][axis] / ray[axis] * ray;
+      if (positions[b].allFinite()) queue.push_back(b);
+    }
+  }
+  return positions;
 }
 
 }  // namespace croquis

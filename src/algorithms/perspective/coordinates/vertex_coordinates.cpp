@@ -3,18 +3,104 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/camera/sheet_frame.h"
-#include "algorithms/perspective/coordinates/placement.h"
+#include "algorithms/perspective/coordinates/contradiction_search.h"
 #include "algorithms/perspective/coordinates/plane_merging.h"
-#include "algorithms/perspective/coordinates/seen_vertices.h"
+#include "algorithms/perspective/curves/rational_lift.h"
 #include "algorithms/perspective/stroke_words.h"
 
 namespace croquis {
 namespace {
+
+/// From coordinates relative to the eye, each component with a scale of its own, to the world.
+struct Placement {
+  std::vector<double> scale;  ///< model units, of each component
+  Vec3 eye = Vec3::Zero();    ///< model units
+  Findings warnings;          ///< LENGTH_UNUSED
+};
+
+/// Of the eye from the known point, or from the origin, where no length is known. Model units.
+constexpr double usual_distance = 10;
+
+std::optional<double> lifted_length(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                    const Camera& camera, const SolvedVertices& solved, Index stroke) {
+  const auto [start, end] = vertices.of_stroke[stroke];
+  if (start == no_index || end == no_index || solved.table.component[start] != solved.table.component[end])
+    return std::nullopt;
+  const PerspectiveStroke& drawn = drawing.strokes[stroke];
+  const auto pieces = lifted_stroke(drawn, drawn.group, solved.solution.position(solved.table, start),
+                                    solved.solution.position(solved.table, end), camera);
+  if (!pieces) return std::nullopt;
+  double sum = 0;
+  for (const auto& parts : *pieces) {
+    for (const RationalCubic& part : parts) sum += arc_length(part);
+  }
+  return sum;
+}
+
+/// The scale of each component, 0 where nothing is known: least squares for pieces with several lengths.
+std::vector<double> known_scales(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
+                                 const Camera& camera, const SolvedVertices& solved, Findings& warnings) {
+  std::vector<double> products(solved.table.components, 0), squares = products, scales = products;
+  for (const KnownLength& known : drawing.known_lengths) {
+    const auto found = std::ranges::find(drawing.strokes, known.stroke, &PerspectiveStroke::id);
+    const auto stroke = static_cast<Index>(found - drawing.strokes.begin());
+    const std::optional<double> length =
+        found == drawing.strokes.end() ? std::nullopt : lifted_length(drawing, vertices, camera, solved, stroke);
+    if (!length || !(*length > 0) || !(known.length > 0)) {
+      warnings.push_back(
+          make_warning(Category::Geometry, "LENGTH_UNUSED",
+                       "The known length of stroke " + known.stroke +
+                           " can't be used: give the length, more than 0, of an edge that is tied to the others.",
+                       {{SubjectKind::Stroke, known.stroke, {}, {}, {}}}));
+      continue;
+    }
+    const Index component = solved.table.component[vertices.of_stroke[stroke][0]];
+    products[component] += *length * known.length;
+    squares[component] += *length * *length;
+  }
+  for (Index c = 0; c < scales.size(); ++c) scales[c] = squares[c] > 0 ? products[c] / squares[c] : 0;
+  return scales;
+}
+
+/// The vertex at the known point, else the one of the largest component that is nearest to the eye.
+Index origin_vertex(const PerspectiveDrawing& drawing, const DrawingVertices& vertices, const SolvedVertices& solved,
+                    Index largest) {
+  Index best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index v = 0; v < vertices.vertices.size(); ++v) {
+    if (!drawing.known_point && solved.table.component[v] != largest) continue;
+    const double distance = drawing.known_point ? (vertices.vertices[v].position - drawing.known_point->at).norm()
+                                                : solved.solution.position(solved.table, v).norm();
+    if (distance >= least) continue;
+    least = distance;
+    best = v;
+  }
+  return best;
+}
+
+Placement placement(const PerspectiveDrawing& drawing, const DrawingVertices& vertices, const CameraEstimate& camera,
+                    const SolvedVertices& solved, Index largest) {
+  Placement result;
+  const std::vector<double> known = known_scales(drawing, vertices, camera.camera, solved, result.warnings);
+  const Index origin = origin_vertex(drawing, vertices, solved, largest);
+  const Vec3 seen = solved.solution.position(solved.table, origin);
+  // Pieces without a length of their own are thought as far away as the largest one.
+  double common = known[largest];
+  if (!(common > 0)) common = *std::ranges::max_element(known);
+  if (!(common > 0)) common = usual_distance / seen.norm();
+  for (const double scale : known) result.scale.push_back(scale > 0 ? scale : common);
+  const Vec3 point = drawing.known_point ? drawing.known_point->point : Vec3(Vec3::Zero());
+  result.eye = point - result.scale[solved.table.component[origin]] * seen;
+  return result;
+}
 
 /// Drawings are never judged as more exact than this, u.
 constexpr double least_sigma = 0.15;
@@ -35,10 +121,6 @@ class CoordinateSolve {
     for (const PromotedStroke& stroke : promoted) drawn[stroke.stroke] = drawing_.strokes[stroke.stroke].group;
     const double sigma = camera_.sigma / unit_;
     result_.contradictions = resolve_contradictions(tied_, drawn, sigma, drawing_, vertices_, options_, progress);
-    for (Contradiction& contradiction : result_.contradictions) {
-      contradiction.rms_before *= unit_;
-      contradiction.rms_after *= unit_;
-    }
     progress.report(0.5);
     solved_ = solved(tied_);
     if (options_.merge_planes) result_.merged = merge_planes(tied_, solved_, sigma, options_, progress);
@@ -200,15 +282,6 @@ VertexCoordinates solve_coordinates(const PerspectiveDrawing& drawing, const Dra
     return nothing;
   }
   return CoordinateSolve(drawing, vertices, camera, groups, options).run(promoted, progress);
-}
-
-std::vector<StrokeSuspicion> suspicions(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
-                                        const CameraEstimate& camera, std::span<const StrokeGroup> groups,
-                                        Progress& progress) {
-  const TiedVertices tied = tied_vertices(drawing, vertices, camera, groups);
-  std::vector<StrokeSuspicion> ranking = ranked_strokes(tied, tying_strokes(tied.ties), progress);
-  for (StrokeSuspicion& suspicion : ranking) suspicion.rms *= SheetFrame(drawing).unit;
-  return ranking;
 }
 
 }  // namespace croquis

@@ -2,16 +2,149 @@
 #include "algorithms/perspective/faces/cover_search.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
-#include "algorithms/perspective/faces/edge_prices.h"
-#include "algorithms/perspective/faces/face_agreement.h"
-#include "algorithms/perspective/faces/vertex_links.h"
+#include "algorithms/perspective/faces/shells.h"
+#include "algorithms/perspective/faces/solid_graph.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 namespace {
+
+/// Something to choose: its cost and the rows that it covers.
+struct CoverColumn {
+  double cost = 0;
+  std::vector<Index> rows;
+};
+
+struct EdgePrices {
+  std::vector<double> price;    ///< per row
+  std::vector<double> reduced;  ///< per column: cost less the prices of its rows
+  double bound = 0;             ///< no choice that covers every row twice costs less
+};
+
+constexpr int most_price_steps = 200;
+constexpr int patience = 12;              ///< steps without a better bound before steps are halved
+constexpr double least_step = 0.01;       ///< × Polyak's length
+constexpr double starting_price = -0.25;  ///< a quadrilateral's, per side
+
+/// The bound that the prices give; fills the reduced costs and how far each row is from being covered twice.
+double price_bound(const std::vector<CoverColumn>& columns, const std::vector<double>& price,
+                   std::vector<double>& reduced, std::vector<double>& lack) {
+  double bound = 0;
+  for (const double p : price) bound += 2 * p;
+  std::ranges::fill(lack, 2.0);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    double cost = columns[c].cost;
+    for (const Index row : columns[c].rows) cost -= price[row];
+    reduced[c] = cost;
+    if (cost >= 0) continue;
+    bound += cost;
+    for (const Index row : columns[c].rows) lack[row] -= 1;
+  }
+  return bound;
+}
+
+/// Lagrange multipliers of "every row twice", by subgradient steps of Polyak's length.
+/// @param goal about what the best choice costs; the nearer, the faster
+EdgePrices price_rows(const std::vector<CoverColumn>& columns, std::size_t row_count, double goal) {
+  std::vector<double> price(row_count, starting_price), reduced(columns.size()), lack(row_count);
+  EdgePrices best{price, reduced, -1e300};
+  double scale = 1;
+  int waited = 0;
+  for (int step = 0; step < most_price_steps && scale > least_step; ++step) {
+    const double bound = price_bound(columns, price, reduced, lack);
+    if (bound > best.bound + 1e-9) {
+      best = {price, reduced, bound};
+      waited = 0;
+    } else if (++waited >= patience) {
+      scale /= 2;
+      waited = 0;
+      price = best.price;
+      price_bound(columns, price, reduced, lack);
+    }
+    double squares = 0;
+    for (const double l : lack) squares += l * l;
+    if (squares == 0 || best.bound >= goal - 1e-9) break;
+    const double length = scale * std::max(goal - bound, 0.05) / squares;
+    for (std::size_t row = 0; row < row_count; ++row) price[row] += length * lack[row];
+  }
+  return best;
+}
+
+/// Which edges follow each other around each vertex by the faces chosen so far. Faces can be taken back, last first.
+class VertexLinks {
+ public:
+  /// @param edges of the graph, that take part
+  VertexLinks(const SolidGraph& graph, const std::vector<Index>& edges)
+      : graph_(graph), degree_(graph.points.size(), 0), parent_(2 * graph.edges.size()), size_(parent_.size()) {
+    for (const Index e : edges) {
+      ++degree_[graph.edges[e].start];
+      ++degree_[graph.edges[e].end];
+    }
+    clear();
+  }
+
+  void clear() {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+    std::ranges::fill(size_, 1);
+    joined_.clear();
+    marks_.clear();
+  }
+
+  /// @param strict whether a circle around a vertex must have all edges that meet there
+  /// @return whether the face fits the others; it is added in any case
+  bool add(const FaceCandidate& face, bool strict) {
+    marks_.push_back(joined_.size());
+    bool fits = true;
+    for (const std::vector<Index>& loop : face.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Index from = SolidGraph::twin(loop[i]), to = loop[(i + 1) % loop.size()];
+        fits = join(from, to) || !strict ? fits : false;
+      }
+    }
+    return fits;
+  }
+
+  void take_back() {
+    while (joined_.size() > marks_.back()) {
+      const Index child = joined_.back();
+      joined_.pop_back();
+      size_[parent_[child]] -= size_[child];
+      parent_[child] = child;
+    }
+    marks_.pop_back();
+  }
+
+ private:
+  Index root(Index half) const {
+    while (parent_[half] != half) half = parent_[half];
+    return half;
+  }
+
+  /// False if that closes a circle without all edges of the vertex.
+  bool join(Index a, Index b) {
+    Index low = root(a), high = root(b);
+    if (low == high) return size_[low] == degree_[graph_.origin(a)];
+    if (size_[low] > size_[high]) std::swap(low, high);
+    parent_[low] = high;
+    size_[high] += size_[low];
+    joined_.push_back(low);
+    return true;
+  }
+
+  const SolidGraph& graph_;
+  std::vector<Index> degree_, parent_, size_;
+  std::vector<Index> joined_;
+  std::vector<std::size_t> marks_;
+};
 
 /// What a cover by flat quadrilaterals costs per edge.
 constexpr double goal_of_quadrilaterals = -0.5;

@@ -2,11 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <vector>
 
-#include "algorithms/perspective/faces/face_candidate.h"
 #include "algorithms/perspective/faces/solid_graph.h"
 #include "croquis/base/progress.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -18,7 +17,7 @@ namespace {
 constexpr double free_cost = 0.2;
 constexpr double deviation_cost = 3;
 constexpr double chord_cost = 0.5;
-constexpr double side_cost = 0.02;
+constexpr double free_side_cost = 0.02;
 constexpr double all_straight_cost = 1;
 
 /// Dearer loops aren't candidates: leaving their sides open would hardly be worse.
@@ -142,7 +141,8 @@ class LoopSearch {
     }
     if (in_known_plane()) return;
     FaceCandidate face;
-    face.cost = free_cost + side_cost * static_cast<double>(path_.size()) + chord_cost * static_cast<double>(chords());
+    face.cost =
+        free_cost + free_side_cost * static_cast<double>(path_.size()) + chord_cost * static_cast<double>(chords());
     if (kind_ == FreeFaceKind::AllStraight) face.cost += all_straight_cost;
     if (face.cost > greatest_free_cost) return;
     measure(face);
@@ -152,7 +152,6 @@ class LoopSearch {
     face.loops = {path_};
     for (const Index half : path_) face.edges.push_back(half / 2);
     std::ranges::sort(face.edges);
-    face.all_straight = kind_ == FreeFaceKind::AllStraight;
     face.planar = face.flatness <= flat_loop * graph_.size;
     result_.candidates.push_back(std::move(face));
   }

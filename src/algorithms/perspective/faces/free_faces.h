@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/perspective/faces/face_candidate.h"
 #include "algorithms/perspective/faces/plane_faces.h"
 #include "algorithms/perspective/faces/solid_graph.h"
 #include "croquis/base/progress.h"

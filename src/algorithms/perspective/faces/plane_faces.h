@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "algorithms/perspective/faces/face_candidate.h"
 #include "algorithms/perspective/faces/solid_graph.h"
 
 namespace croquis {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "croquis/geometry/curve_network.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis {
 
@@ -51,5 +51,20 @@ struct SolidGraph {
 
 /// Numbers vertices and curves by their places, and leaves out curves that are in no cycle.
 SolidGraph make_solid_graph(const CurveNetwork& network);
+
+/// What might be a face.
+struct FaceCandidate {
+  std::vector<std::vector<Index>> loops;  ///< half-edges of the graph; the outer one first, counter-clockwise about the
+                                          ///< normal, holes clockwise
+  std::vector<Index> edges;               ///< of the graph, ascending, each once
+  bool planar = true;
+  Vec3 origin = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+  double flatness = 0;   ///< greatest distance from the plane
+  double deviation = 0;  ///< rms distance to the mean plane by the root of the area
+  double cost = 0;
+  Index plane = no_index;      ///< number of the plane it was found in
+  std::vector<Index> regions;  ///< of that plane, ascending: what it covers of its arrangement
+};
 
 }  // namespace croquis

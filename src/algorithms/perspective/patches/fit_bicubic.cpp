@@ -128,6 +128,17 @@ class BicubicFitter {
     }
   }
 
+  /// A coordinate of all control points; zero inside until they are fitted.
+  SplineMatrix control_net(int axis) {
+    BicubicSpline& spline = fit_.spline;
+    SplineMatrix net(static_cast<Eigen::Index>(spline.u_count()), static_cast<Eigen::Index>(spline.v_count()));
+    for (std::size_t j = 0; j < spline.v_count(); ++j) {
+      for (std::size_t i = 0; i < spline.u_count(); ++i)
+        net(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = spline.point(i, j)[axis];
+    }
+    return net;
+  }
+
   /// Least squares over a grid of places: a system for each direction.
   void fit_inside() {
     BicubicSpline& spline = fit_.spline;
@@ -137,13 +148,7 @@ class BicubicFitter {
     const Eigen::HouseholderQR<SplineMatrix> along_u(wu.middleCols(2, nu - 4)), along_v(wv.middleCols(2, nv - 4));
     const std::array<SplineMatrix, 3> wanted = patch_on(us, vs);
     for (int axis = 0; axis < 3; ++axis) {
-      SplineMatrix net(nu, nv);  // zero inside until here
-      for (Eigen::Index j = 0; j < nv; ++j) {
-        for (Eigen::Index i = 0; i < nu; ++i) {
-          net(i, j) = spline.point(static_cast<std::size_t>(i), static_cast<std::size_t>(j))[axis];
-        }
-      }
-      const SplineMatrix rest = wanted[static_cast<std::size_t>(axis)] - wu * net * wv.transpose();
+      const SplineMatrix rest = wanted[static_cast<std::size_t>(axis)] - wu * control_net(axis) * wv.transpose();
       const SplineMatrix inside = along_v.solve(along_u.solve(rest).transpose()).transpose();
       for (Eigen::Index j = 0; j < inside.cols(); ++j) {
         for (Eigen::Index i = 0; i < inside.rows(); ++i) {
@@ -190,16 +195,8 @@ class BicubicFitter {
     const std::array<SplineMatrix, 3> wanted = patch_on(at[0], at[1]);
     const SplineMatrix wu = weights_at(fit_.spline.u_knots, at[0]), wv = weights_at(fit_.spline.v_knots, at[1]);
     SplineMatrix squares = SplineMatrix::Zero(wu.rows(), wv.rows());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      SplineMatrix net(wu.cols(), wv.cols());
-      for (Eigen::Index j = 0; j < net.cols(); ++j) {
-        for (Eigen::Index i = 0; i < net.rows(); ++i) {
-          net(i, j) =
-              fit_.spline.point(static_cast<std::size_t>(i), static_cast<std::size_t>(j))[static_cast<int>(axis)];
-        }
-      }
-      squares += (wu * net * wv.transpose() - wanted[axis]).cwiseAbs2();
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      squares += (wu * control_net(axis) * wv.transpose() - wanted[static_cast<std::size_t>(axis)]).cwiseAbs2();
     for (Eigen::Index j = 0; j < squares.cols(); ++j) {
       for (Eigen::Index i = 0; i < squares.rows(); ++i) {
         const double distance = std::sqrt(squares(i, j));

@@ -5,10 +5,37 @@
 
 #include <Eigen/Dense>
 
-#include "algorithms/perspective/patches/patch_energy.h"
+#include "algorithms/perspective/solid/plane_axes.h"
 
 namespace croquis {
 namespace {
+
+constexpr double step = 1e-3;
+
+PatchWeights slope_weights(double u, double v, bool along_u) {
+  const GregoryWeights weights = gregory_weights(u, v);
+  return Eigen::Map<const PatchWeights>((along_u ? weights.du : weights.dv).data());
+}
+
+Eigen::Matrix<double, 20, 20> make_variation_energy() {
+  constexpr int cells = 12;
+  Eigen::Matrix<double, 20, 20> energy = Eigen::Matrix<double, 20, 20>::Zero();
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      const double u = (i + 0.5) / cells, v = (j + 0.5) / cells;
+      for (const bool slope_u : {true, false}) {
+        for (const bool along_u : {true, false}) {
+          const double du = along_u ? step : 0, dv = along_u ? 0 : step;
+          const PatchWeights third = (slope_weights(u + du, v + dv, slope_u) - 2 * slope_weights(u, v, slope_u) +
+                                      slope_weights(u - du, v - dv, slope_u)) /
+                                     (step * step);
+          energy += (slope_u == along_u ? 1 : 3) * third * third.transpose();
+        }
+      }
+    }
+  }
+  return energy / (cells * cells);
+}
 
 /// How much the squares of differences across a joint count beside the variation of the patches.
 constexpr double joint_weight = 100;
@@ -21,13 +48,9 @@ constexpr double least_gain = 1e-4;  ///< of the energy in a round
 constexpr std::array<double, 4> joint_places = {0.2, 0.45, 0.7, 0.95};
 
 /// The second derivative across a side, a part t of the way along it.
-PatchWeights across_side(int side, double t) {
-  switch (side) {
-    case 0: return second_derivative(t, 0, false);
-    case 1: return second_derivative(1, t, true);
-    case 2: return second_derivative(1 - t, 1, false);
-    default: return second_derivative(0, 1 - t, true);
-  }
+PatchWeights across_side(std::size_t side, double t) {
+  const auto [u, v] = place_on_side(side, t);
+  return second_derivative(u, v, side % 2 == 1);
 }
 
 /// The second derivatives across the four sides at the places of joints, on the side's own way and on the way back.
@@ -38,10 +61,10 @@ struct JointWeights {
 const JointWeights& joint_weights() {
   static const JointWeights weights = [] {
     JointWeights made;
-    for (int side = 0; side < 4; ++side) {
+    for (std::size_t side = 0; side < 4; ++side) {
       for (std::size_t k = 0; k < joint_places.size(); ++k) {
-        made.ahead[static_cast<std::size_t>(side)][k] = across_side(side, joint_places[k]);
-        made.back[static_cast<std::size_t>(side)][k] = across_side(side, 1 - joint_places[k]);
+        made.ahead[side][k] = across_side(side, joint_places[k]);
+        made.back[side][k] = across_side(side, 1 - joint_places[k]);
       }
     }
     return made;
@@ -150,6 +173,27 @@ class FamilyEnergy {
 };
 
 }  // namespace
+
+PatchPoints points_of(const GregoryPatch& patch) {
+  PatchPoints points;
+  for (std::size_t i = 0; i < 20; ++i) {
+    points.row(static_cast<Eigen::Index>(i)) = i < 12 ? patch.boundary[i] : patch.inner[i - 12];
+  }
+  return points;
+}
+
+const Eigen::Matrix<double, 20, 20>& variation_energy() {
+  static const Eigen::Matrix<double, 20, 20> energy = make_variation_energy();
+  return energy;
+}
+
+PatchWeights second_derivative(double u, double v, bool along_u) {
+  const double inwards = (along_u ? u : v) < 0.5 ? step : -step;
+  const double du = along_u ? inwards : 0, dv = along_u ? 0 : inwards;
+  return (4 * slope_weights(u + du, v + dv, along_u) - 3 * slope_weights(u, v, along_u) -
+          slope_weights(u + 2 * du, v + 2 * dv, along_u)) /
+         (2 * inwards);
+}
 
 Eigen::VectorXd least_energy(const PatchFamily& family) {
   const FamilyEnergy energy(family);

@@ -1,19 +1,196 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/solid/plane_axes.h"
-#include "algorithms/perspective/tessellation/edge_samples.h"
+#include "croquis/geometry/brep.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/planar_triangulation.h"
-#include "croquis/perspective/tessellation.h"
+#include "croquis/perspective/solid.h"
 
 namespace croquis {
 namespace {
+
+/// An edge as the vertices of a mesh, from its start to its end.
+struct EdgeSamples {
+  std::vector<Index> vertices;
+  std::size_t middle = 0;     ///< position of the sample where the two halves of a side of patches meet
+  std::vector<Vec3> normals;  ///< of smooth edges, common to both faces; else empty
+};
+
+/// Into how many spans the sides of each patch of a face are cut: of single patches sides 0 and 2, then 1 and 3; of
+/// stars each patch's side 0, then its side 1.
+struct FaceSpans {
+  std::vector<std::array<std::size_t, 2>> along;
+};
+
+struct BrepSamples {
+  std::vector<EdgeSamples> edges;
+  std::vector<FaceSpans> faces;
+  std::vector<Vec3> corner_normal;  ///< per half-edge, of its face at its start; zero where no smooth edge rules it
+};
+
+constexpr std::size_t probe_spans = 8;
+
+/// Spans that a curve needs: its greatest distance from the chords of 8 spans falls with the square of their number.
+template <typename At>
+std::size_t spans_for(const At& at, double tolerance, std::size_t most) {
+  double greatest = 0;
+  Vec3 before = at(0.0);
+  for (std::size_t i = 0; i < probe_spans; ++i) {
+    const Vec3 middle = at((static_cast<double>(i) + 0.5) / probe_spans);
+    const Vec3 after = at(static_cast<double>(i + 1) / probe_spans);
+    greatest = std::max(greatest, (middle - (before + after) / 2).norm());
+    before = after;
+  }
+  const double needed = std::ceil(static_cast<double>(probe_spans) * std::sqrt(greatest / tolerance) - 1e-6);
+  return static_cast<std::size_t>(std::clamp(needed, 1.0, static_cast<double>(most)));
+}
+
+/// A point of a curve; coordinates that all control points share are kept to the bit.
+Vec3 sample_of(const RationalCubic& cubic, double t) {
+  Vec3 p = cubic.at(t);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (const double* level = common_level({&cubic, 1}, axis)) p[axis] = *level;
+  }
+  return p;
+}
+
+class EdgeSampler {
+ public:
+  EdgeSampler(const Brep& brep, const TessellationOptions& options, PolyMesh& mesh)
+      : brep_(brep), mesh_(mesh), tolerance_(options.chord_tolerance * size_of(brep)), most_(options.most_spans) {}
+
+  BrepSamples run() {
+    for (const BrepVertex& vertex : brep_.vertices) mesh_.positions.push_back(vertex.point);
+    half_spans_.assign(brep_.edges.size(), 0);
+    for (const BrepFace& face : brep_.faces) measure_face(face);
+    for (Index e = 0; e < brep_.edges.size(); ++e) samples_.edges.push_back(sample_edge(e));
+    set_corner_normals();
+    return std::move(samples_);
+  }
+
+ private:
+  void measure_face(const BrepFace& face) {
+    FaceSpans spans;
+    for (const GregoryPatch& patch : face.patches)
+      spans.along.push_back({patch_spans(patch, true), patch_spans(patch, false)});
+    const std::vector<Index> halves = brep_.around(face.loops[0]);
+    const std::size_t n = face.patches.size();
+    for (std::size_t i = 0; n > 0 && i < halves.size(); ++i) {
+      std::size_t& needed = half_spans_[brep_.half_edges[halves[i]].edge];
+      if (n == 1) {
+        needed = std::max(needed, (spans.along[0][i % 2] + 1) / 2);
+      } else {
+        // The first half is side 0 of its patch, the second one side 3 of the next.
+        needed = std::max({needed, spans.along[i][0], spans.along[(i + 1) % n][1]});
+      }
+    }
+    samples_.faces.push_back(std::move(spans));
+  }
+
+  std::size_t patch_spans(const GregoryPatch& patch, bool along_u) const {
+    std::size_t most = 1;
+    for (const double level : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const auto at = [&](double t) { return along_u ? patch.at(t, level).at : patch.at(level, t).at; };
+      most = std::max(most, spans_for(at, tolerance_, most_));
+    }
+    return most;
+  }
+
+  EdgeSamples sample_edge(Index e) {
+    const BrepEdge& edge = brep_.edges[e];
+    if (half_spans_[e] == 0 && edge.straight) return {{edge.start, edge.end}, 0, {}};
+    // Without patches there are no halves, but the exact pieces.
+    if (half_spans_[e] == 0) return sample_run(edge, edge.pieces, 0);
+    std::vector<RationalCubic> halves = edge.fitted;
+    if (halves.size() == 1) {
+      const auto [first, second] = halves[0].split(0.5);
+      halves = {first, second};
+    }
+    EdgeSamples samples = sample_run(edge, halves, half_spans_[e]);
+    if (edge.smooth) set_edge_normals(edge, halves, samples);
+    return samples;
+  }
+
+  /// @param least spans of each cubic, at least; the same number for all of them
+  EdgeSamples sample_run(const BrepEdge& edge, const std::vector<RationalCubic>& cubics, std::size_t least) {
+    std::size_t spans = std::max<std::size_t>(least, cubics.size() == 1 && !edge.straight ? 2 : 1);
+    for (const RationalCubic& cubic : cubics) {
+      spans = std::max(spans, spans_for([&](double t) { return cubic.at(t); }, tolerance_, most_));
+    }
+    EdgeSamples samples{{edge.start}, spans, {}};
+    for (std::size_t c = 0; c < cubics.size(); ++c) {
+      for (std::size_t i = 1; i <= spans; ++i) {
+        if (c + 1 == cubics.size() && i == spans) continue;
+        samples.vertices.push_back(static_cast<Index>(mesh_.positions.size()));
+        mesh_.positions.push_back(sample_of(cubics[c], static_cast<double>(i) / static_cast<double>(spans)));
+      }
+    }
+    samples.vertices.push_back(edge.end);
+    return samples;
+  }
+
+  const BrepFace* planar_face_of(const BrepEdge& edge) const {
+    for (const Index h : edge.half_edges) {
+      const BrepFace& face = brep_.faces[brep_.face_of(h)];
+      if (face.planar) return &face;
+    }
+    return nullptr;
+  }
+
+  void set_edge_normals(const BrepEdge& edge, const std::vector<RationalCubic>& halves, EdgeSamples& samples) const {
+    const BrepFace* planar = planar_face_of(edge);
+    const std::size_t last = samples.vertices.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(last);
+      const std::size_t half = i < samples.middle ? 0 : 1;
+      const Vec3 along = halves[half].derivative(2 * t - static_cast<double>(half));
+      const Vec3 across = (1 - t) * edge.across[0] + t * edge.across[1];
+      samples.normals.push_back(planar != nullptr ? planar->normal : Vec3(along.cross(across).normalized()));
+    }
+  }
+
+  /// Corners that smooth edges connect share one normal.
+  void set_corner_normals() {
+    DisjointSets corners(brep_.half_edges.size());
+    for (const BrepEdge& edge : brep_.edges) {
+      if (!edge.smooth) continue;
+      corners.unite(edge.half_edges[0], brep_.half_edges[edge.half_edges[1]].next);
+      corners.unite(brep_.half_edges[edge.half_edges[0]].next, edge.half_edges[1]);
+    }
+    std::vector<Vec3> normal(brep_.half_edges.size(), Vec3::Zero());
+    for (Index e = 0; e < brep_.edges.size(); ++e) {
+      if (!brep_.edges[e].smooth) continue;
+      for (const bool at_end : {false, true}) {
+        Vec3& shared = normal[corners.root(brep_.edges[e].half_edges[at_end ? 1 : 0])];
+        const std::vector<Vec3>& along = samples_.edges[e].normals;
+        if (shared.isZero(0)) shared = at_end ? along.back() : along.front();
+      }
+    }
+    for (Index h = 0; h < brep_.half_edges.size(); ++h) samples_.corner_normal.push_back(normal[corners.root(h)]);
+  }
+
+  const Brep& brep_;
+  PolyMesh& mesh_;
+  double tolerance_;
+  std::size_t most_;
+  std::vector<std::size_t> half_spans_;  // per edge, as its patches need; 0 without patches
+  BrepSamples samples_;
+};
+
+/// Samples every edge once, as its own bends and those of its patches need, and appends the points to the mesh.
+BrepSamples sample_edges(const Brep& brep, const TessellationOptions& options, PolyMesh& mesh) {
+  return EdgeSampler(brep, options, mesh).run();
+}
 
 /// A corner of triangles: a vertex and the normal that a face has there.
 struct SurfaceCorner {
@@ -123,10 +300,7 @@ class Tessellator {
     std::vector<Subject> subjects{numbered_subject(SubjectKind::Face, face().outline)};
     for (const Index loop : face().loops) {
       for (const Index half : brep_.around(loop)) {
-        Subject subject;
-        subject.kind = SubjectKind::Stroke;
-        subject.id = brep_.edges[brep_.half_edges[half].edge].id;
-        subjects.push_back(std::move(subject));
+        subjects.push_back({SubjectKind::Stroke, brep_.edges[brep_.half_edges[half].edge].id, {}, {}, {}});
       }
     }
     return make_warning(Category::Geometry, "PATCH_FOLDED",
@@ -136,15 +310,6 @@ class Tessellator {
   }
 
   // Patches.
-
-  static std::pair<double, double> place_on_side(std::size_t side, double s) {
-    switch (side) {
-      case 0: return {s, 0};
-      case 1: return {1, s};
-      case 2: return {1 - s, 1};
-      default: return {0, 1 - s};
-    }
-  }
 
   /// @param first,last positions among the half-edge's samples
   SideCorners corners_along(Index half, std::size_t first, std::size_t last, const GregoryPatch& patch,

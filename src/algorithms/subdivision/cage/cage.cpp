@@ -6,10 +6,6 @@
 #include <variant>
 
 #include "algorithms/subdivision/cage/cage_checks.h"
-#include "algorithms/subdivision/cage/cage_tags.h"
-#include "algorithms/subdivision/cage/edge_pairing.h"
-#include "algorithms/subdivision/cage/orientation.h"
-#include "algorithms/subdivision/cage/vertex_fans.h"
 #include "croquis/base/error.h"
 
 namespace croquis::subdivision {

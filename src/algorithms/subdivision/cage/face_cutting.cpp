@@ -8,13 +8,17 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/subdivision/cage/tag_changes.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/polygon_area.h"
 #include "croquis/geometry/polygon_cut.h"
 
 namespace croquis::subdivision {
 namespace {
+
+std::array<Index, 2> sorted(std::array<Index, 2> vertices) {
+  if (vertices[1] < vertices[0]) std::swap(vertices[0], vertices[1]);
+  return vertices;
+}
 
 Vec3 centre(const PolyMesh& mesh, Index face) {
   Vec3 sum = Vec3::Zero();
@@ -23,6 +27,29 @@ Vec3 centre(const PolyMesh& mesh, Index face) {
 }
 
 }  // namespace
+
+TagChanges::TagChanges(MeshTags& tags) : tags_(tags) {
+  for (std::size_t i = 0; i < tags_.creases.size(); ++i) crease_of_[sorted(tags_.creases[i].vertices)] = i;
+}
+
+void TagChanges::add_crease(std::array<Index, 2> vertices) {
+  vertices = sorted(vertices);
+  const auto [place, is_new] = crease_of_.try_emplace(vertices, tags_.creases.size());
+  if (is_new) {
+    tags_.creases.push_back({vertices, infinite_sharpness});
+    return;
+  }
+  if (tags_.creases[place->second].sharpness == infinite_sharpness) return;
+  tags_.creases[place->second].sharpness = infinite_sharpness;
+  for (CreaseSet& set : tags_.sets) std::erase(set.edges, vertices);  // members share the set's sharpness
+}
+
+void TagChanges::add_pin(Index vertex) { tags_.pins.push_back(vertex); }
+
+void TagChanges::finish() {
+  std::sort(tags_.pins.begin(), tags_.pins.end());
+  tags_.pins.erase(std::unique(tags_.pins.begin(), tags_.pins.end()), tags_.pins.end());
+}
 
 double relative_deviation(const PolyMesh& mesh, Index face) {
   const Vec3 origin = centre(mesh, face);

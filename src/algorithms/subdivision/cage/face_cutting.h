@@ -5,10 +5,26 @@
 #include <map>
 #include <vector>
 
+#include "croquis/geometry/mesh_tags.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/poly_mesh.h"
 
 namespace croquis::subdivision {
+
+/// Adds to the tags of a mesh without listing anything twice.
+class TagChanges {
+ public:
+  explicit TagChanges(MeshTags& tags);
+
+  /// An infinite crease. A finite one becomes infinite and leaves the named sets, whose members share one sharpness.
+  void add_crease(std::array<Index, 2> vertices);
+  void add_pin(Index vertex);
+  void finish();  ///< sorts the pins
+
+ private:
+  MeshTags& tags_;
+  std::map<std::array<Index, 2>, std::size_t> crease_of_;
+};
 
 /// Triangles that replace a face, as corner numbers within it.
 using FaceTriangles = std::vector<std::array<Index, 3>>;

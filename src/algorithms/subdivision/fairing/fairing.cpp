@@ -10,9 +10,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "algorithms/subdivision/fairing/fair_chains.h"
-#include "algorithms/subdivision/fairing/fair_freedom.h"
-#include "algorithms/subdivision/fairing/fair_laplacian.h"
+#include "algorithms/subdivision/fairing/fair_system.h"
 #include "croquis/base/error.h"
 #include "croquis/subdivision/cage.h"
 #include "croquis/subdivision/doo_sabin.h"

@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/subdivision/cage/face_cutting.h"
-#include "algorithms/subdivision/cage/tag_changes.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"

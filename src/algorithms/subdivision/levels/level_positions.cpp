@@ -2,12 +2,19 @@
 #include "algorithms/subdivision/levels/level_positions.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <vector>
 
+#include <sys/mman.h>
+
 #include "croquis/base/parallel.h"
+#include "croquis/subdivision/half_edges.h"
 
 namespace croquis::subdivision {
 namespace {
+
+constexpr std::size_t small_page = 4096;
 
 /// Faces, and rows of weights, from which a further thread is worth starting.
 constexpr std::size_t least_faces = 4096;
@@ -65,7 +72,67 @@ Vec3 weighted_sum(const WeightRows& rows, std::size_t row, const Vec3* points) {
   return sum;
 }
 
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add(std::size_t row, Index column, double weight, Entries& entries) {
+  entries.emplace_back(static_cast<int>(row), static_cast<int>(column), weight);
+}
+
+void add_row(const WeightRows& rows, std::size_t which, std::size_t row, Entries& entries) {
+  for (Index i = rows.offsets[which]; i < rows.offsets[which + 1]; ++i) {
+    add(row, rows.columns[i], rows.weights[i], entries);
+  }
+}
+
+/// How much of the plain rule each own point keeps, by point.
+std::vector<double> plain_shares(const Refinement& made) {
+  std::vector<double> shares(made.origins.own_corners.kept_count(), 1);
+  for (std::size_t i = 0; i < made.rules.adjusted_corner.size(); ++i) {
+    shares[made.origins.own_corners.rank(made.rules.adjusted_corner[i])] = made.rules.plain_share[i];
+  }
+  return shares;
+}
+
+void add_plain_rows(const HalfEdges& old, const Refinement& made, const FaceMask& mask, Entries& entries) {
+  const std::vector<double> shares = plain_shares(made);
+  for (std::size_t face = 0; face < old.face_count(); ++face) {
+    const auto corners = old.face(face);
+    const std::size_t n = corners.size();
+    const std::vector<double> row = mask.row(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index point = made.level.topology.corner_vertex[old.face_offsets[face] + i];
+      if (point >= shares.size() || shares[point] == 0) continue;
+      for (std::size_t j = 0; j < n; ++j) add(point, corners[(i + j) % n], shares[point] * row[j], entries);
+    }
+  }
+}
+
+template <typename... Arrays>
+std::size_t array_bytes(const Arrays&... arrays) {
+  return (... + (arrays.capacity() * sizeof(arrays[0])));
+}
+
+std::size_t rows_bytes(const WeightRows& rows) { return array_bytes(rows.offsets, rows.columns, rows.weights); }
+
 }  // namespace
+
+void wish_large_pages(void* block, std::size_t bytes) {
+  if (bytes < large_page || std::align(small_page, large_page, block, bytes) == nullptr) return;
+  madvise(block, bytes, MADV_HUGEPAGE);
+}
+
+void* allocate_block(std::size_t bytes) {
+  void* block = nullptr;
+  if (bytes < large_page) {
+    block = std::malloc(bytes);
+  } else if (posix_memalign(&block, large_page, bytes) == 0) {
+    wish_large_pages(block, bytes);
+  }
+  if (block == nullptr && bytes > 0) throw std::bad_alloc();
+  return block;
+}
+
+void free_block(void* block) { std::free(block); }
 
 void compute_positions(const HalfEdges& old, const Refinement& made, const FaceMask& mask, const Vec3* old_points,
                        Vec3* points, int threads) {
@@ -88,6 +155,40 @@ void compute_positions(const HalfEdges& old, const Refinement& made, const FaceM
                   for (std::size_t row = begin; row < end; ++row)
                     listed[row] = weighted_sum(rules.listed, row, old_points);
                 });
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> level_weights(const HalfEdges& old, const Refinement& made,
+                                                           const FaceMask& mask) {
+  Entries entries;
+  add_plain_rows(old, made, mask, entries);
+  const PointRules& rules = made.rules;
+  for (std::size_t i = 0; i < rules.adjusted.size(); ++i) {
+    add_row(rules.adjusted, i, made.origins.own_corners.rank(rules.adjusted_corner[i]), entries);
+  }
+  const std::size_t own = made.origins.own_corners.kept_count();
+  for (std::size_t i = 0; i < rules.listed.size(); ++i) add_row(rules.listed, i, own + i, entries);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(static_cast<Eigen::Index>(made.level.topology.vertex_count()),
+                                                      static_cast<Eigen::Index>(old.vertex_count()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::size_t bytes_of(const Level& level) {
+  const HalfEdges& mesh = level.topology;
+  return sizeof(Level) +
+         array_bytes(mesh.face_offsets, mesh.corner_vertex, mesh.twin, mesh.corner_edge, mesh.edge_corner,
+                     mesh.vertex_corner) +
+         array_bytes(level.sharp, level.boundary, level.pins, level.settled, level.valence_two);
+}
+
+std::size_t bytes_of(const Refinement& refinement) {
+  const PointRules& rules = refinement.rules;
+  const LevelOrigins& origins = refinement.origins;
+  return bytes_of(refinement.level) + sizeof(Refinement) - sizeof(Level) +
+         array_bytes(rules.gap_faces, rules.adjusted_corner, rules.plain_share) + rows_bytes(rules.adjusted) +
+         rows_bytes(rules.listed) +
+         array_bytes(origins.own_corners.left_out(), origins.listed, origins.plain_vertices.left_out(),
+                     origins.listed_faces);
 }
 
 }  // namespace croquis::subdivision

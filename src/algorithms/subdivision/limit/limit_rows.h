@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/subdivision/levels/weight_rows.h"
+#include "algorithms/subdivision/levels/level_geometry.h"
 #include "croquis/base/progress.h"
 #include "croquis/subdivision/doo_sabin.h"
 #include "croquis/subdivision/uniform_schemes.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "algorithms/subdivision/levels/weight_rows.h"
+#include "algorithms/subdivision/levels/level_geometry.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/mesh_tags.h"
 #include "croquis/subdivision/level.h"

@@ -5,11 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/subdivision/levels/large_pages.h"
-#include "algorithms/subdivision/levels/level_bytes.h"
 #include "algorithms/subdivision/levels/level_positions.h"
-#include "algorithms/subdivision/levels/level_weights.h"
-#include "algorithms/subdivision/refinement/face_mask.h"
+#include "algorithms/subdivision/refinement/point_rules.h"
 #include "algorithms/subdivision/refinement/refine.h"
 #include "croquis/base/error.h"
 

@@ -2,11 +2,98 @@
 #include "algorithms/subdivision/refinement/point_rules.h"
 
 #include <algorithm>
-
-#include "algorithms/subdivision/refinement/chain_rules.h"
+#include <numbers>
 
 namespace croquis::subdivision {
 namespace {
+
+/// Faces up to this size have their roots tabled; larger ones are rare.
+constexpr std::size_t largest_tabled = 32;
+
+/// cos and sin of an angle of at most an eighth of a turn, by their series.
+Vec2 cos_sin(double angle) {
+  const double square = angle * angle;
+  double cosine = 1, sine = 1;
+  for (int k = 20; k > 0; k -= 2) {
+    cosine = 1 - cosine * square / (k * (k - 1));
+    sine = 1 - sine * square / (k * (k + 1));
+  }
+  return {cosine, sine * angle};
+}
+
+/// One point as weights of old vertices; a vertex may come more than once.
+struct WeightedVertex {
+  Index vertex;
+  double weight;
+};
+
+using WeightRow = std::vector<WeightedVertex>;
+
+/// Points of chains: Chaikin's 3/4 + 1/4, and their ends.
+///
+/// Lee, Joo, Hong 2002, figure 11, intersect the line of two new points with the tagged edge: for quads, planar or not,
+/// that is exactly (3 V + W)/4, so it is taken for all faces, and a chain depends on its own vertices alone.
+class ChainRules {
+ public:
+  ChainRules(const Neighbourhood& near, const Rules& rules, const FaceMask& mask)
+      : near_(near), rules_(rules), mask_(mask) {}
+
+  /// The point of a sharp edge at its end `end`, as NewPoints::chain.
+  WeightRow chain_point(Index line, std::size_t end) const;
+
+ private:
+  bool stays(Index line, std::size_t end) const;
+  bool pinned_dart(Index vertex) const;
+  WeightRow smooth_dart(Index line, std::size_t end) const;
+
+  const Neighbourhood& near_;
+  const Rules& rules_;
+  const FaceMask& mask_;
+};
+
+void append_scaled(WeightRow& row, const WeightRow& other, double factor) {
+  for (const auto& [vertex, weight] : other) row.push_back({vertex, factor * weight});
+}
+
+bool ChainRules::pinned_dart(Index vertex) const {
+  return near_.classes.class_of[vertex] == VertexClass::Dart &&
+         (near_.classes.pinned[vertex] != 0 || rules_.chain_ends == ChainEnds::Pin);
+}
+
+/// Whether the chain's point is the old vertex itself: at pinned ends, and where the edge runs into a kept vertex
+/// without a band.
+bool ChainRules::stays(Index line, std::size_t end) const {
+  const Index vertex = near_.classes.lines[line].vertices[end];
+  return pinned_dart(vertex) || near_.points.chain(line, end) == near_.points.kept(vertex);
+}
+
+/// The middle between the plain points of the two faces beside the chain's end: it runs out into the surface.
+WeightRow ChainRules::smooth_dart(Index line, std::size_t end) const {
+  const SharpLine& sharp = near_.classes.lines[line];
+  WeightRow row;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Index half_edge = sharp.half_edges[side];
+    Index corner = side == end ? half_edge : near_.around.next(half_edge);
+    const std::size_t n = near_.level.topology.face(near_.around.face(corner)).size();
+    for (const double weight : mask_.row(n)) {
+      row.push_back({near_.level.topology.corner_vertex[corner], 0.5 * weight});
+      corner = near_.around.next(corner);
+    }
+  }
+  return row;
+}
+
+WeightRow ChainRules::chain_point(Index line, std::size_t end) const {
+  const SharpLine& sharp = near_.classes.lines[line];
+  const Index here = sharp.vertices[end], there = sharp.vertices[1 - end];
+  if (stays(line, end)) return {{here, 1}};
+  if (near_.classes.class_of[here] == VertexClass::Dart && rules_.chain_ends == ChainEnds::Smooth) {
+    return smooth_dart(line, end);
+  }
+  // Beside a point that stays, a clamped B-spline has a knot interval of half the length.
+  if (rules_.profile == Profile::Clamped && stays(line, 1 - end)) return {{here, 0.5}, {there, 0.5}};
+  return {{here, 0.75}, {there, 0.25}};
+}
 
 void sort_unique(std::vector<Index>& values) {
   std::sort(values.begin(), values.end());
@@ -168,6 +255,72 @@ class Builder {
 };
 
 }  // namespace
+
+Vec2 unit_root(std::size_t j, std::size_t n) {
+  j %= n;
+  if (2 * j > n) return unit_root(n - j, n).cwiseProduct(Vec2(1, -1));
+  if (4 * j > n) {  // beyond a quarter: mirror; 2n and 2j keep the half of n whole
+    return unit_root(n - 2 * j, 2 * n).cwiseProduct(Vec2(-1, 1));
+  }
+  if (8 * j > n) {  // beyond an eighth: cos and sin change places
+    const Vec2 mirrored = unit_root(n - 4 * j, 4 * n);
+    return {mirrored.y(), mirrored.x()};
+  }
+  return cos_sin(2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+}
+
+FaceMask::FaceMask(Weights weights) : weights_(weights) {
+  for (std::size_t n = 1; n <= largest_tabled; ++n) {
+    for (std::size_t j = 0; j < n; ++j) roots_.push_back(unit_root(j, n));
+  }
+}
+
+Vec2 FaceMask::root(std::size_t j, std::size_t n) const {
+  return n <= largest_tabled ? roots_[n * (n - 1) / 2 + j] : unit_root(j, n);
+}
+
+std::vector<double> FaceMask::row(std::size_t n) const {
+  const auto count = static_cast<double>(n);
+  std::vector<double> weights(n);
+  if (weights_ == Weights::Average) {
+    for (double& weight : weights) weight = 1 / (4 * count);
+    weights[1] = weights[n - 1] = (count + 2) / (8 * count);
+    weights[0] = (2 * count + 1) / (4 * count);
+    return weights;
+  }
+  for (std::size_t j = 1; j < n; ++j) weights[j] = (3 + 2 * root(j, n).x()) / (4 * count);
+  weights[0] = (count + 5) / (4 * count);
+  return weights;
+}
+
+void FaceMask::apply_average(const Vec3* points, std::span<const Index> corners, Vec3* result) const {
+  const std::size_t n = corners.size();
+  Vec3 sum = Vec3::Zero();
+  for (const Index corner : corners) sum += points[corner];
+  const Vec3 centroid = sum / static_cast<double>(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec3 &before = points[corners[(j + n - 1) % n]], &after = points[corners[(j + 1) % n]];
+    result[j] = 0.5 * points[corners[j]] + 0.125 * (before + after) + 0.25 * centroid;
+  }
+}
+
+void FaceMask::apply_to_polygon(const Vec3* points, std::span<const Index> corners, Vec3* result) const {
+  if (weights_ == Weights::Average) return apply_average(points, corners, result);
+  const std::size_t n = corners.size();
+  Vec3 sum = Vec3::Zero(), cosine = Vec3::Zero(), sine = Vec3::Zero();
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec3& point = points[corners[j]];
+    const Vec2 at = root(j, n);
+    sum += point;
+    cosine += at.x() * point;
+    sine += at.y() * point;
+  }
+  const auto count = static_cast<double>(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const Vec2 at = root(j, n);
+    result[j] = 0.25 * points[corners[j]] + (0.75 * sum + 0.5 * (at.x() * cosine + at.y() * sine)) / count;
+  }
+}
 
 PointRules make_point_rules(const Neighbourhood& near, const Rules& rules, const FaceMask& mask) {
   return Builder(near, rules, mask).run();

@@ -2,14 +2,182 @@
 #include "algorithms/subdivision/refinement/refine.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "algorithms/subdivision/levels/level_geometry.h"
-#include "algorithms/subdivision/refinement/edge_matching.h"
-#include "algorithms/subdivision/refinement/passed_tags.h"
+#include "algorithms/subdivision/refinement/special_faces.h"
+#include "croquis/base/error.h"
+#include "croquis/geometry/vector.h"
+#include "croquis/subdivision/level.h"
+#include "croquis/subdivision/rules.h"
 
 namespace croquis::subdivision {
 namespace {
+
+/// Half-edges of the next level whose twin doesn't follow from numbers: paired by their vertices.
+///
+/// Only the tagged neighbourhood comes here, with n log n.
+class EdgeMatching {
+ public:
+  struct Edge {
+    Index low = no_index, high = no_index;     ///< vertices
+    Index lower = no_index, upper = no_index;  ///< half-edges; the upper one is missing on the boundary
+    Index number = no_index;
+  };
+
+  void reserve(std::size_t count) { open_.reserve(count); }
+
+  /// @param from, to its vertices
+  void add(Index half_edge, Index from, Index to);
+
+  /// Pairs what was added and numbers the edges. The quads of plain edges have numbers for theirs already: of half-edge
+  /// h, h - quads_begin.
+  /// @throws Error (E_INTERNAL) when that is no manifold
+  void match(Index quads_begin, Index quads_end);
+
+  const std::vector<Edge>& edges() const { return edges_; }  ///< ascending by (low, high)
+  std::size_t new_edge_count() const { return new_edges_; }  ///< those not numbered before
+
+  /// The number of the edge between two vertices.
+  /// @throws Error (E_INTERNAL) where there is none
+  Index edge_between(Index a, Index b) const;
+
+ private:
+  struct Open {
+    std::uint64_t ends;  ///< the lower vertex above the higher one: sorts by both
+    Index half_edge;
+    bool ascending;  ///< runs from the lower to the higher
+  };
+
+  std::vector<Open> open_;
+  std::vector<Edge> edges_;
+  std::size_t new_edges_ = 0;
+};
+
+[[noreturn]] void fail(const char* what, Index a, Index b) {
+  throw Error(make_error(Category::Internal, "E_INTERNAL",
+                         std::string(what) + " between the new vertices " + std::to_string(a) + " and " +
+                             std::to_string(b) + ": a mistake of the refinement, please report the cage."));
+}
+
+void EdgeMatching::add(Index half_edge, Index from, Index to) {
+  const auto [low, high] = std::minmax(from, to);
+  open_.push_back({std::uint64_t{low} << 32 | high, half_edge, from < to});
+}
+
+void EdgeMatching::match(Index quads_begin, Index quads_end) {
+  std::sort(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.half_edge < b.half_edge;
+  });
+  edges_.reserve((open_.size() + 1) / 2);
+  const auto is_quads = [&](Index half_edge) { return half_edge >= quads_begin && half_edge < quads_end; };
+  for (std::size_t i = 0; i < open_.size();) {
+    const std::uint64_t ends = open_[i].ends;
+    Edge edge{static_cast<Index>(ends >> 32), static_cast<Index>(ends), open_[i].half_edge, no_index, no_index};
+    const auto same = [&](std::size_t j) { return j < open_.size() && open_[j].ends == ends; };
+    if (same(i + 1)) {
+      if (open_[i].ascending == open_[i + 1].ascending || same(i + 2)) fail("Faces don't fit", edge.low, edge.high);
+      edge.upper = open_[i + 1].half_edge;
+    }
+    if (is_quads(edge.lower)) {
+      edge.number = edge.lower - quads_begin;
+    } else if (edge.upper != no_index && is_quads(edge.upper)) {
+      edge.number = edge.upper - quads_begin;
+    } else {
+      edge.number = quads_end - quads_begin + static_cast<Index>(new_edges_++);
+    }
+    i += edge.upper == no_index ? 1 : 2;
+    edges_.push_back(edge);
+  }
+}
+
+Index EdgeMatching::edge_between(Index a, Index b) const {
+  const auto key = std::minmax(a, b);
+  const auto found = std::lower_bound(edges_.begin(), edges_.end(), key, [](const Edge& edge, const auto& wanted) {
+    return std::pair(edge.low, edge.high) < std::pair(wanted.first, wanted.second);
+  });
+  if (found == edges_.end() || found->low != key.first || found->high != key.second) fail("No edge", a, b);
+  return found->number;
+}
+
+class TagPasser {
+ public:
+  TagPasser(const Neighbourhood& near, const EdgeMatching& matching, Level& next)
+      : near_(near), matching_(matching), next_(next) {}
+
+  void run() {
+    for (Index line = 0; line < near_.classes.lines.size(); ++line) pass_line(line);
+    for (const Sector& sector : near_.sectors.list) pass_chord(sector);
+    std::sort(next_.sharp.begin(), next_.sharp.end(),
+              [](const SharpEdge& a, const SharpEdge& b) { return a.edge < b.edge; });
+    for (const Index vertex : near_.classes.special) pass_vertex(vertex);
+    std::sort(next_.pins.begin(), next_.pins.end());
+    std::sort(next_.settled.begin(), next_.settled.end());
+    std::sort(next_.valence_two.begin(), next_.valence_two.end());
+  }
+
+ private:
+  void tag(Index a, Index b, double sharpness) {
+    if (sharpness > 0) next_.sharp.push_back({matching_.edge_between(a, b), sharpness});
+  }
+
+  void pass_line(Index line) {
+    const SharpLine& sharp = near_.classes.lines[line];
+    if (sharp.on_boundary()) return;
+    tag(near_.points.chain(line, 0), near_.points.chain(line, 1), sharp.sharpness - 1);
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index kept = near_.points.kept(sharp.vertices[end]), point = near_.points.chain(line, end);
+      if (kept != no_index && kept != point) tag(kept, point, sharp.sharpness - 1);
+    }
+  }
+
+  /// Where a chain passes a vertex, its two sectors have the same chord: taken from the first.
+  void pass_chord(const Sector& sector) {
+    if (near_.classes.class_of[sector.vertex] != VertexClass::Crease || sector.first_line > sector.last_line) return;
+    const SharpLine &first = near_.classes.lines[sector.first_line], &last = near_.classes.lines[sector.last_line];
+    if (first.on_boundary() || last.on_boundary()) return;
+    tag(near_.points.chain_at(near_.classes, sector.first_line, sector.vertex),
+        near_.points.chain_at(near_.classes, sector.last_line, sector.vertex),
+        std::min(first.sharpness, last.sharpness) - 1);
+  }
+
+  void pass_vertex(Index vertex) {
+    const bool pinned = near_.classes.pinned[vertex] != 0;
+    if (near_.classes.class_of[vertex] == VertexClass::Corner) {
+      const Index kept = near_.points.kept(vertex);
+      if (pinned) next_.pins.push_back(kept);
+      next_.settled.push_back(kept);
+      if (has_two_faces(vertex)) next_.valence_two.push_back(kept);
+    } else if (pinned && near_.classes.class_of[vertex] == VertexClass::Dart) {
+      next_.pins.push_back(chain_end(vertex));
+    }
+  }
+
+  /// An inner corner with two faces has two sectors, and keeps two faces; once its edges are smooth that matters.
+  bool has_two_faces(Index vertex) const {
+    return std::binary_search(near_.level.valence_two.begin(), near_.level.valence_two.end(), vertex);
+  }
+
+  Index chain_end(Index vertex) const {
+    const auto sector = std::lower_bound(near_.sectors.list.begin(), near_.sectors.list.end(), vertex,
+                                         [](const Sector& s, Index value) { return s.vertex < value; });
+    return near_.points.chain_at(near_.classes, sector->first_line, vertex);
+  }
+
+  const Neighbourhood& near_;
+  const EdgeMatching& matching_;
+  Level& next_;
+};
+
+/// Passes the tags of a level down: sharpness less one to the children of tagged edges and to the chords that join them
+/// at creases; pins and settled corners to the points that stay.
+void pass_tags(const Neighbourhood& near, const EdgeMatching& matching, Level& next) {
+  TagPasser(near, matching, next).run();
+}
 
 std::size_t vertex_face_corners(const HalfEdges& old, const CornerFaces& around, const PlainParts& plain) {
   std::size_t left_out = 0;

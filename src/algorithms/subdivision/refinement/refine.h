@@ -3,10 +3,8 @@
 
 #include <vector>
 
-#include "algorithms/subdivision/refinement/compaction.h"
-#include "algorithms/subdivision/refinement/face_mask.h"
-#include "algorithms/subdivision/refinement/flat_pass.h"
 #include "algorithms/subdivision/refinement/point_rules.h"
+#include "algorithms/subdivision/refinement/special_faces.h"
 #include "croquis/base/progress.h"
 #include "croquis/subdivision/level.h"
 #include "croquis/subdivision/rules.h"

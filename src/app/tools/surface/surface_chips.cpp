@@ -7,7 +7,7 @@
 
 #include "app/panels/number_box.h"
 #include "app/views/viewport.h"
-#include "croquis/attribute_surface/open_loop.h"
+#include "croquis/attribute_surface/loop_search.h"
 
 namespace croquis::app {
 namespace {

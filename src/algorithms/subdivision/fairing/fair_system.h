@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/SparseCore>
 
-#include "algorithms/subdivision/levels/weight_rows.h"
+#include "algorithms/subdivision/levels/level_geometry.h"
 #include "croquis/geometry/mesh_topology.h"
+#include "croquis/subdivision/edge_chain.h"
+#include "croquis/subdivision/level.h"
 
 namespace croquis::subdivision {
 
@@ -29,5 +32,17 @@ void hold(const PolyMesh& mesh, const MeshTopology& topology, bool hold_tags, Fr
 
 /// The vertex moves as columns of one matrix, 3 #V by #unknowns.
 Eigen::SparseMatrix<double> freedom_matrix(const Freedom& freedom);
+
+/// The cotangent Laplacian of a level, #V by #V: applied to positions, a row's squared length is the squared mean
+/// curvature (times 4) integrated around its vertex. Rows of the boundary, of sharp edges and of pins are empty.
+WeightMatrix fair_laplacian(const Level& level, std::span<const Vec3> positions);
+
+/// Minimises |second differences|^2 / h^2 + w |C - C0|^2 over the inner vertices of an open chain or all of a closed
+/// one. A planar chain moves within its plane.
+/// @param points        of the chain's vertices in order
+/// @param edge_length   h
+/// @return the moved points
+std::vector<Vec3> fair_chain(const EdgeChain& chain, const ChainShape& shape, std::vector<Vec3> points,
+                             double edge_length, double weight);
 
 }  // namespace croquis::subdivision
