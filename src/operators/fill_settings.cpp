@@ -56,8 +56,7 @@ ParameterDescription fill_preset_choice() {
       choice_parameter(
           "preset", {"auto", "standard", "paper", "sharp", "noisy"},
           "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
-          "parts, where the best of three methods is taken, noisy for rough scans; paper for comparison with Yoo "
-          "2005.")
+          "parts, where creases go on in holes of any size, noisy for rough scans; paper for comparison with Yoo 2005.")
           .titled("The scan is", {"usual", "smooth", "as published in 2005", "a machined part", "rough"});
   preset.presets["paper"] = {{"kernel", std::string("thin-plate")},
                              {"overlap", remeshing::remesh_preset(Preset::Paper).overlap}};

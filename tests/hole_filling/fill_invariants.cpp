@@ -18,6 +18,12 @@ FillResult fill(const PolyMesh& mesh, const FillOptions& options) {
   return fill_holes(mesh, options, progress);
 }
 
+FillOptions by(Fairness fairness) {
+  FillOptions options;
+  options.fairness = fairness;
+  return options;
+}
+
 MeshReport report_of(const PolyMesh& mesh) {
   Progress progress;
   return inspect(mesh, true, progress);

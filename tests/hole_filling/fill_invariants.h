@@ -12,6 +12,9 @@ namespace croquis::test {
 
 hole_filling::FillResult fill(const PolyMesh& mesh, const hole_filling::FillOptions& options = {});
 
+/// The usual options, with patches of another kind.
+hole_filling::FillOptions by(hole_filling::Fairness fairness);
+
 /// With self-intersections.
 MeshReport report_of(const PolyMesh& mesh);
 

@@ -10,10 +10,10 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/hole_filling/fill_findings.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "hole_filling/fill_invariants.h"
+#include "hole_filling/site_scene.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -25,19 +25,12 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Curved, Fairness::Implicit};
+constexpr Fairness all_fairness[] = {Fairness::Flat, Fairness::Tangent, Fairness::Implicit};
 
 std::vector<std::string> codes_of(const FillResult& result) {
   std::vector<std::string> codes;
   for (const Finding& finding : result.warnings) codes.push_back(finding.code);
   return codes;
-}
-
-double greatest_radial_error(const FillResult& result) {
-  double error = 0;
-  for (std::size_t v = result.mesh.vertex_count() - result.new_vertices; v < result.mesh.vertex_count(); ++v)
-    error = std::max(error, std::abs(result.mesh.positions[v].norm() - 1));
-  return error;
 }
 
 }  // namespace
@@ -50,24 +43,11 @@ TEST_CASE("random cuts are closed soundly, by every fairness, on every shape") {
     for (const auto& [shape, size] : shapes) {
       const CutScan scan = random_cuts(shape, seed, 1 + seed % 4, 0.12 * size, 0.3 * size);
       for (const Fairness fairness : all_fairness) {
-        FillOptions options;
-        options.fairness = fairness;
-        const FillResult result = fill(scan.mesh, options);
+        const FillResult result = fill(scan.mesh, by(fairness));
         check_invariants(scan.mesh, result);
         for (std::size_t i = 0; i < result.outcomes.size(); ++i)
           CHECK((result.outcomes[i].action == FillAction::Fill) == (result.analysis.holes[i].kind != HoleClass::Outer));
       }
-    }
-  }
-}
-
-TEST_CASE("noisy rims are closed soundly or left open with a reason") {
-  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(sample_count(6, 60)); ++seed) {
-    const PolyMesh mesh = with_noisy_rims(random_cuts(round_sphere(4), seed, 3, 0.2, 0.4).mesh, seed, 0.45);
-    const FillResult result = fill(mesh);
-    check_invariants(mesh, result);
-    for (const HoleOutcome& outcome : result.outcomes) {
-      if (outcome.action == FillAction::Failed) CHECK_FALSE(outcome.reason.empty());
     }
   }
 }
@@ -128,45 +108,6 @@ TEST_CASE("a rim around a fin is filled without cutting the fin") {
   CHECK(report_of(result.mesh).boundary_loops == 1);
 }
 
-TEST_CASE("each hole of a sheet-like surface that is closed raises the Euler characteristic by one") {
-  const CutScan scan = random_cuts(round_sphere(4), 11, 5, 0.15, 0.3);
-  REQUIRE(scan.removed.size() == 5);
-  CHECK(report_of(scan.mesh).euler_characteristic == -3);
-  const FillResult result = fill(scan.mesh);
-  const MeshReport after = report_of(result.mesh);
-  CHECK(after.euler_characteristic == 2);
-  CHECK(after.closed);
-  CHECK(after.genus == 0);
-  CHECK(after.volume.value() > 0);
-  FillOptions two;
-  two.only = {1, 3};
-  CHECK(report_of(fill(scan.mesh, two).mesh).euler_characteristic == -1);
-}
-
-TEST_CASE("a hole with islands becomes one surface") {
-  const PolyMesh mesh = cut_ring(round_sphere(5), Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh;
-  for (const Fairness fairness : all_fairness) {
-    FillOptions options;
-    options.fairness = fairness;
-    const FillResult result = fill(mesh, options);
-    check_invariants(mesh, result);
-    const MeshReport after = report_of(result.mesh);
-    CHECK(after.components == 1);
-    CHECK(after.genus == 0);
-    CHECK(result.outcomes[0].patch == result.outcomes[1].patch);
-  }
-}
-
-TEST_CASE("two islands in one hole become one surface with it") {
-  const PolyMesh ring = cut_ring(sheet(40, 40), Vec3(20, 20, 0), 0, 12).mesh;
-  const PolyMesh mesh =
-      merged(ring, merged(translated(sheet(5, 5), Vec3(13, 17.5, 0)), translated(sheet(4, 6), Vec3(22, 17, 0.5))));
-  const FillResult result = fill(mesh);
-  check_invariants(mesh, result);
-  CHECK(report_of(result.mesh).components == 1);
-  CHECK(report_of(result.mesh).boundary_loops == 1);
-}
-
 TEST_CASE("an island that touches the rim in one corner is joined there") {
   PolyMesh mesh = cut(sheet(12, 12), Vec3(6, 6, 0), 4.2).mesh;
   Progress progress;
@@ -179,9 +120,7 @@ TEST_CASE("an island that touches the rim in one corner is joined there") {
   mesh.positions.push_back(at + 2 * inwards + 0.2 * across);
   mesh.add_triangle(corner, first, first + 1);
   for (const Fairness fairness : all_fairness) {
-    FillOptions options;
-    options.fairness = fairness;
-    const FillResult result = fill(mesh, options);
+    const FillResult result = fill(mesh, by(fairness));
     check_invariants(mesh, result, 1);
     for (const Finding& finding : result.warnings) UNSCOPED_INFO(finding.message);
     CHECK(filled(result) == 2);
@@ -197,20 +136,6 @@ TEST_CASE("a gap between two tubes is bridged") {
   const MeshReport after = report_of(result.mesh);
   CHECK(after.components == 1);
   CHECK(after.boundary_loops == 2);
-}
-
-TEST_CASE("a chain of holes that share corners closes without an edge of many faces") {
-  for (const Index count : {2u, 5u, 12u}) {
-    const PolyMesh mesh = chained_holes(count);
-    for (const Fairness fairness : all_fairness) {
-      FillOptions options;
-      options.fairness = fairness;
-      const FillResult result = fill(mesh, options);
-      check_invariants(mesh, result);
-      CHECK(filled(result) == count);
-      CHECK(report_of(result.mesh).nonmanifold_vertices == 0);
-    }
-  }
 }
 
 TEST_CASE("what is chosen is filled and nothing else") {
@@ -291,9 +216,7 @@ TEST_CASE("ends of a tube that are to be closed get flat caps") {
 TEST_CASE("a hole in a plane is closed in that plane") {
   const PolyMesh mesh = random_cuts(sheet(30, 30), 3, 3, 2, 5).mesh;
   for (const Fairness fairness : all_fairness) {
-    FillOptions options;
-    options.fairness = fairness;
-    const FillResult result = fill(mesh, options);
+    const FillResult result = fill(mesh, by(fairness));
     for (const Finding& finding : result.warnings) UNSCOPED_INFO(finding.message);
     CHECK(filled(result) == 3);
     for (const Vec3& position : result.mesh.positions) CHECK(std::abs(position.z()) < 1e-9 * 30 * std::sqrt(2.0));
@@ -308,24 +231,8 @@ TEST_CASE("smooth patches come closer to a sphere than flat ones") {
   const double flat_jump = fill(mesh, options).outcomes[0].max_normal_jump;
   options.fairness = Fairness::Tangent;
   const FillResult tangent = fill(mesh, options);
-  options.fairness = Fairness::Curved;
-  const FillResult curved = fill(mesh, options);
   CHECK(tangent.outcomes[0].max_normal_jump < flat_jump / 2);
   CHECK(greatest_radial_error(tangent) < 0.03);
-  CHECK(greatest_radial_error(curved) < greatest_radial_error(tangent));
-  CHECK(greatest_radial_error(curved) < 0.001);  // 0.007 when fairing's weights are measured once, on the flat
-}
-
-TEST_CASE("filling again changes nothing, and the same input gives the same bytes") {
-  const PolyMesh mesh = random_cuts(ring_torus(60, 30), 4, 4, 0.15, 0.3).mesh;
-  const FillResult once = fill(mesh);
-  const FillResult twice = fill(mesh);
-  CHECK(once.mesh.positions == twice.mesh.positions);
-  CHECK(once.mesh.corners == twice.mesh.corners);
-  const FillResult again = fill(once.mesh);
-  CHECK(again.mesh.positions == once.mesh.positions);
-  CHECK(again.mesh.corners == once.mesh.corners);
-  CHECK(again.outcomes.empty());
 }
 
 TEST_CASE("one hole that can't be filled stays open and keeps no other from it") {

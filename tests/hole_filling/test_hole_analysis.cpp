@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/analysis/farthest_pair.h"
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/hole_analysis.h"
@@ -195,23 +195,6 @@ TEST_CASE("a triangle that hangs in a hole by its corners divides it") {
     CHECK(analysis.holes[i].vertices.size() == 3);
     CHECK(analysis.holes[i].kind == HoleClass::BowTie);
   }
-}
-
-TEST_CASE("a piece that touches a hole's rim in one corner is its island") {
-  PolyMesh mesh = cut(sheet(12, 12), Vec3(6, 6, 0), 4.2).mesh;
-  Progress progress;
-  const Index corner = analyse(mesh).holes[1].vertices[0];
-  const Vec3 at = mesh.positions[corner];
-  const Vec3 inwards = (Vec3(6, 6, 0) - at).normalized();
-  const Vec3 across(-inwards.y(), inwards.x(), 0);
-  const Index first = static_cast<Index>(mesh.vertex_count());
-  mesh.positions.push_back(at + 2 * inwards - 0.2 * across);
-  mesh.positions.push_back(at + 2 * inwards + 0.2 * across);
-  mesh.add_triangle(corner, first, first + 1);
-  const HoleAnalysis analysis = analyse(mesh);
-  REQUIRE(analysis.holes.size() == 3);
-  CHECK(std::count_if(analysis.holes.begin(), analysis.holes.end(),
-                      [](const Hole& hole) { return hole.kind == HoleClass::Islands; }) == 2);
 }
 
 TEST_CASE("edges of many faces are no rims, and rims that end there are told") {

@@ -134,10 +134,3 @@ TEST_CASE("rims of two pieces that face each other are a tunnel") {
   const PolyMesh beside = translated(lower, Vec3(2.1, 0, 0));
   CHECK(classes_of(merged(lower, beside)) == Counts{{HoleClass::Outer, 4}});
 }
-
-TEST_CASE("holes through both skins of a thin shell have nothing to do with each other") {
-  const PolyMesh whole = shell(5, 0.03);
-  const PolyMesh outer_cut = cut(whole, Vec3(0, 0, 1), 0.3).mesh;
-  const PolyMesh both_cut = cut(outer_cut, Vec3(0, 0, 0.97), 0.2).mesh;
-  CHECK(classes_of(both_cut) == Counts{{HoleClass::Simple, 2}});
-}

@@ -4,7 +4,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "croquis/hole_filling/hole_groups.h"
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/scans/scans.h"
@@ -74,21 +75,16 @@ TEST_CASE("a hole and its island are near though their flat rims' own boxes are 
         std::vector<std::array<Index, 2>>{{0, 1}});
 }
 
-TEST_CASE("holes far from each other are no pair") {
-  const PolyMesh one = cut(round_sphere(5), Vec3(0, 0, 1), 0.3).mesh;
-  CHECK(joinable_pairs(cut(one, Vec3(0, 0, -1), 0.3).mesh).empty());
-}
-
 TEST_CASE("both skins of a thin shell stay apart") {
   const PolyMesh outer_cut = cut(shell(5, 0.03), Vec3(0, 0, 1), 0.3).mesh;
   CHECK(joinable_pairs(cut(outer_cut, Vec3(0, 0, 0.97), 0.2).mesh).empty());
 }
 
-TEST_CASE("groups can be merged later, in any order, with the same result") {
-  HoleGroups one(6), other(6);
-  one.merge(4, 2), one.merge(5, 0), one.merge(2, 5);
-  other.merge(5, 2), other.merge(0, 2), other.merge(4, 0);
+TEST_CASE("holes are joined in any order, with the same groups") {
+  DisjointSets one(6), other(6);
+  one.unite(4, 2), one.unite(5, 0), one.unite(2, 5);
+  other.unite(5, 2), other.unite(0, 2), other.unite(4, 0);
   CHECK(one.lists() == std::vector<std::vector<Index>>{{0, 2, 4, 5}, {1}, {3}});
   CHECK(one.lists() == other.lists());
-  CHECK(one.group(5) == 0);
+  CHECK(one.root(5) == 0);
 }

@@ -12,7 +12,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
-#include "croquis/hole_filling/hole_request.h"
+#include "croquis/hole_filling/fill_options.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
@@ -103,7 +103,7 @@ TEST_CASE("a request fills or leaves a hole whatever the selection says; the las
   CHECK(result.outcomes[0].reason == "asked to stay open");
 }
 
-TEST_CASE("a wish about a patch's shape fills the hole, one about trimming doesn't") {
+TEST_CASE("a request for a patch's shape fills the hole, one about trimming doesn't") {
   FillOptions options;
   options.selection = Selection::None;
   options.requests.assign(5, request_for({}));
@@ -137,7 +137,7 @@ TEST_CASE("holes that aren't there are refused by their numbers, all at once") {
   }
 }
 
-TEST_CASE("a wish for one hole changes its patch and no other") {
+TEST_CASE("a request for one hole changes its patch and no other") {
   const FillResult plain = fill(scan(), {});
   FillOptions options;
   options.requests = {request_for({2})};
@@ -312,7 +312,7 @@ TEST_CASE("rims with many triangulations of equal cost are filled the same again
   }
 }
 
-TEST_CASE("with a cache the result is the same, and a changed wish makes one patch anew") {
+TEST_CASE("with a cache the result is the same, and a changed setting makes one patch anew") {
   CountingCache cache;
   FillOptions options;
   const FillResult plain = fill(scan(), options);

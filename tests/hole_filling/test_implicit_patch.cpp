@@ -11,6 +11,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
+#include "hole_filling/site_scene.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans/scans.h"
@@ -22,13 +23,6 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-FillOptions everything() {
-  FillOptions options;
-  options.selection = Selection::All;
-  options.flat_caps = false;
-  return options;
-}
-
 /// Filled by one of the ways that continue the surface implicitly.
 std::size_t count_of(const FillResult& result, const std::string& method) {
   return static_cast<std::size_t>(
@@ -39,10 +33,6 @@ std::size_t count_of(const FillResult& result, const std::string& method) {
 bool warns(const FillResult& result, const std::string& code) {
   return std::any_of(result.warnings.begin(), result.warnings.end(),
                      [&](const Finding& finding) { return finding.code == code; });
-}
-
-std::vector<Vec3> new_points(const FillResult& result) {
-  return {result.mesh.positions.end() - static_cast<std::ptrdiff_t>(result.new_vertices), result.mesh.positions.end()};
 }
 
 struct Errors {
@@ -103,13 +93,6 @@ double mean_rim_edge(const FillResult& result) {
 
 }  // namespace
 
-TEST_CASE("a hole in a plane is continued in that plane") {
-  const PolyMesh mesh = random_cuts(sheet(30, 30), 3, 3, 2, 5).mesh;
-  const FillResult result = fill(mesh);
-  CHECK(count_of(result, "implicit") == 3);
-  for (const Vec3& p : new_points(result)) CHECK(std::abs(p.z()) < 1e-9 * 30 * std::sqrt(2.0));
-}
-
 TEST_CASE("the cap of a sphere is continued as a sphere") {
   for (const int levels : {4, 5}) {
     const FillResult result = fill(cut(round_sphere(levels), Vec3(0, 0, 1), 0.52).mesh);  // 30 degrees
@@ -122,17 +105,6 @@ TEST_CASE("the cap of a sphere is continued as a sphere") {
     CHECK(result.outcomes[0].confidence < 0.9);
     CHECK_FALSE(warns(result, "W_LOW_CONFIDENCE"));
   }
-}
-
-TEST_CASE("halving the edges brings the first ring much nearer to the surface") {
-  const auto first_ring_error = [](int levels) {
-    return mean_error_of_first_ring(fill(cut(round_sphere(levels), Vec3(0, 0, 1), 0.52).mesh));
-  };
-  const double coarse = first_ring_error(3), middle = first_ring_error(4), fine = first_ring_error(5);
-  CAPTURE(coarse, middle, fine);
-  CHECK(coarse > 2.5 * middle);
-  CHECK(middle > 1.5 * fine);  // the limit on centres begins to tell
-  CHECK(middle < 2e-5);
 }
 
 TEST_CASE("triangles of a patch are as large as the rim's edges and well shaped") {
@@ -150,32 +122,6 @@ TEST_CASE("triangles of a patch are as large as the rim's edges and well shaped"
   }
 }
 
-TEST_CASE("a patch turns with the surface across its rim") {
-  const PolyMesh mesh = cut(round_sphere(5), Vec3(0, 0, 1), 0.52).mesh;
-  CHECK(fill(mesh).outcomes[0].max_normal_jump < 10 * std::numbers::pi / 180);
-}
-
-TEST_CASE("scaling and moving the mesh does the same to its patches") {
-  const PolyMesh mesh = cut(ring_torus(60, 30), Vec3(1, 0, 0.3), 0.3).mesh;
-  const FillResult plain = fill(mesh);
-  const FillResult larger = fill(scaled(mesh, 1024));
-  REQUIRE(larger.new_vertices == plain.new_vertices);
-  for (std::size_t i = 0; i < plain.mesh.positions.size(); ++i)
-    CHECK((larger.mesh.positions[i] / 1024 - plain.mesh.positions[i]).norm() < 1e-6 * 3);
-}
-
-TEST_CASE("an island and the hole around it become one surface that follows both") {
-  const FillResult result = fill(cut_ring(round_sphere(5), Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh);
-  CHECK(count_of(result, "implicit") == 2);
-  const MeshReport after = report_of(result.mesh);
-  CHECK(after.components == 1);
-  CHECK(after.closed);
-  CHECK(after.genus == 0);
-  CHECK(*after.self_intersections == 0);
-  CHECK(radial_errors(result).worst < 0.003);
-  CHECK(result.outcomes[0].confidence > 0.9);
-}
-
 TEST_CASE("huge holes are continued better than by fairing") {
   const PolyMesh mesh = cut(round_sphere(4), Vec3(0, 0, 1), 0.9).mesh;
   FillOptions options;
@@ -187,33 +133,6 @@ TEST_CASE("huge holes are continued better than by fairing") {
   const FillResult result = fill(mesh, options);
   CHECK(count_of(result, "implicit") == 1);
   CHECK(radial_errors(result).mean < 0.6 * faired.mean);
-}
-
-TEST_CASE("borders of sheets and saddles that are to be closed come to an end") {
-  PolyMesh saddle = sheet(20, 20);
-  for (Vec3& p : saddle.positions) p.z() = 0.02 * (p.x() - 10) * (p.y() - 10);
-  for (const PolyMesh& mesh : {sheet(20, 20), saddle}) {
-    const FillResult result = fill(mesh, everything());
-    REQUIRE(result.outcomes.size() == 1);
-    if (result.outcomes[0].action == FillAction::Fill)
-      CHECK(*report_of(result.mesh).self_intersections == 0);
-    else
-      CHECK_FALSE(result.outcomes[0].reason.empty());
-  }
-}
-
-TEST_CASE("holes through both skins of a thin shell are closed one by one") {
-  for (const double wall : {0.03, 0.06, 0.1}) {
-    const PolyMesh whole = shell(4, wall);
-    const PolyMesh mesh = cut(cut(whole, Vec3(0, 0, 1), 0.3).mesh, Vec3(0, 0, 1 - wall), 0.3).mesh;
-    const FillResult result = fill(mesh);
-    const MeshReport after = report_of(result.mesh);
-    INFO(wall);
-    CHECK(after.components == 2);
-    CHECK(after.closed);
-    CHECK(*after.self_intersections == 0);
-    CHECK(after.nonmanifold_edges == 0);
-  }
 }
 
 TEST_CASE("ends of a tube get flat caps unless these are declined") {
@@ -228,13 +147,6 @@ TEST_CASE("ends of a tube get flat caps unless these are declined") {
   for (const Vec3& p : round.mesh.positions) highest = std::max(highest, std::abs(p.z() - 2));
   CHECK(highest < 2 + 2);  // no farther than the tube is wide
   CHECK(warns(round, "W_LOW_CONFIDENCE"));
-}
-
-TEST_CASE("half a sphere is closed with little confidence") {
-  const FillResult result = fill(bowl(60, 16), everything());
-  REQUIRE(result.outcomes[0].action == FillAction::Fill);
-  CHECK(result.outcomes[0].confidence < 0.3);
-  CHECK(warns(result, "W_LOW_CONFIDENCE"));
 }
 
 TEST_CASE("every kernel continues a sphere") {
@@ -255,14 +167,6 @@ TEST_CASE("smoothing follows a rough surface's noise without being asked to") {
   little.implicit.value_smoothing *= 1e-6;
   little.implicit.gradient_smoothing *= 1e-6;
   CHECK(radial_errors(fill(mesh, everything())).mean < 0.6 * radial_errors(fill(mesh, little)).mean);
-}
-
-TEST_CASE("the same hole gets the same patch every time, and a filled mesh stays as it is") {
-  const PolyMesh mesh = random_cuts(ring_torus(60, 30), 4, 4, 0.15, 0.3).mesh;
-  const FillResult once = fill(mesh), twice = fill(mesh);
-  CHECK(once.mesh.positions == twice.mesh.positions);
-  CHECK(once.mesh.corners == twice.mesh.corners);
-  CHECK(fill(once.mesh).mesh.corners == once.mesh.corners);
 }
 
 TEST_CASE("a long rim leaves room for centres behind it") {

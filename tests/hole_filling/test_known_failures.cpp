@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_patch.h"
 #include "hole_filling/fill_invariants.h"
+#include "hole_filling/site_scene.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/scans/scans.h"
@@ -21,14 +23,6 @@ using namespace croquis::test;
 using namespace croquis::hole_filling;
 
 namespace {
-
-FillOptions everything(Fairness fairness = Fairness::Implicit) {
-  FillOptions options;
-  options.selection = Selection::All;
-  options.flat_caps = false;
-  options.fairness = fairness;
-  return options;
-}
 
 /// How far new vertices lie from the box of the vertices given, × its diagonal.
 double farthest_out(const PolyMesh& mesh, const FillResult& result) {
@@ -118,9 +112,7 @@ TEST_CASE("a hundred holes that share vertices are closed without an edge of man
     PolyMesh mesh = chains_around_sphere(36, 16);
     if (in_triangles) mesh = triangulated(mesh);
     for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
-      FillOptions options;
-      options.fairness = fairness;
-      const FillResult result = fill(mesh, options);
+      const FillResult result = fill(mesh, by(fairness));
       check_invariants(mesh, result);
       CHECK(result.outcomes.size() > 100);
       CHECK(filled(result) == result.outcomes.size());
@@ -189,9 +181,7 @@ TEST_CASE("rims as rough as their edges are long are closed soundly or left open
     for (const double roughness : {0.5, 1.0}) {
       const PolyMesh mesh = with_noisy_rims(random_cuts(ring_torus(60, 30), seed, 4, 0.15, 0.3).mesh, seed, roughness);
       for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
-        FillOptions options;
-        options.fairness = fairness;
-        const FillResult result = fill(mesh, options);
+        const FillResult result = fill(mesh, by(fairness));
         check_invariants(mesh, result);
         closed += filled(result);
         asked += result.outcomes.size();
@@ -220,10 +210,8 @@ TEST_CASE("holes across sharp edges and corners of machined parts are closed wit
     }
   }
   const PolyMesh box = cut(divided_box(12), Vec3(1, 1, 1), 0.4).mesh;  // a corner is gone
-  for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Curved, Fairness::Implicit}) {
-    FillOptions options;
-    options.fairness = fairness;
-    const FillResult result = fill(box, options);
+  for (const Fairness fairness : {Fairness::Flat, Fairness::Tangent, Fairness::Implicit}) {
+    const FillResult result = fill(box, by(fairness));
     check_invariants(box, result);
     CHECK(filled(result) == 1);
   }

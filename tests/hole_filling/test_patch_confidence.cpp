@@ -7,9 +7,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/patching/patcher.h"
-#include "croquis/hole_filling/patch_confidence.h"
+#include "algorithms/hole_filling/patching/patch_methods.h"
+#include "croquis/hole_filling/hole_patch.h"
 #include "hole_filling/fill_invariants.h"
+#include "hole_filling/site_scene.h"
 #include "support/meshes/surface_distance.h"
 #include "support/scans/scans.h"
 #include "support/scans/virtual_scans.h"
@@ -28,11 +29,11 @@ struct Made {
 };
 
 /// The first hole closed by a method.
-Made close_first(const PolyMesh& mesh, const Patcher& patcher, Index hole = 0) {
+Made close_first(const PolyMesh& mesh, Maker maker, Index hole = 0) {
   Progress progress;
   Made made{mesh, analyse_holes(mesh, progress), {}, {}};
   const std::vector<Index> holes = {hole};
-  made.patch = *patcher.attempt(make_site(mesh, made.analysis, holes, {}), progress);
+  made.patch = *make_patch({maker}, make_site(mesh, made.analysis, holes, {}), progress);
   made.confidence = vertex_confidence(made.patch, mesh, made.analysis);
   return made;
 }
@@ -60,19 +61,11 @@ Trusted refilled_cap(double radius, Fairness fairness) {
   return {result.outcomes[0].confidence, sum / static_cast<double>(places.size()) / diagonal_of(sphere)};
 }
 
-Index inner_hole(const PolyMesh& mesh) {
-  Progress progress;
-  for (const Hole& hole : analyse_holes(mesh, progress).holes) {
-    if (hole.kind != HoleClass::Outer) return hole.id;
-  }
-  return no_index;
-}
-
 }  // namespace
 
 TEST_CASE("confidence falls from the rim to the middle of a flat patch, which is far from any evidence there") {
   const PolyMesh mesh = cut(sheet(40, 40), Vec3(20, 20, 0), 9).mesh;
-  const Made made = close_first(mesh, *implicit_patcher({}, 40000), inner_hole(mesh));
+  const Made made = close_first(mesh, Maker::Implicit, inner_hole(mesh));
   REQUIRE(made.confidence.size() == made.patch.points.size());
   float least = 1;
   for (std::size_t v = 0; v < made.confidence.size(); ++v) {
@@ -87,7 +80,7 @@ TEST_CASE("confidence falls from the rim to the middle of a flat patch, which is
 }
 
 TEST_CASE("the least confidence of a smooth patch is that of the whole patch") {
-  const Made made = close_first(cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh, *implicit_patcher({}, 40000));
+  const Made made = close_first(cut(round_sphere(4), Vec3(0, 0, 1), 0.5).mesh, Maker::Implicit);
   const float least = *std::min_element(made.confidence.begin(), made.confidence.end());
   CHECK(least == Approx(confidence_of(made.patch, made.mesh, made.analysis)).margin(0.02));
 }
@@ -97,7 +90,7 @@ TEST_CASE("a lid across a tube, at right angles to it, isn't trusted") {
   Progress progress;
   const HoleAnalysis analysis = analyse_holes(tube, progress);
   const std::vector<Index> holes = {0};
-  HolePatch lid = *minimal_patcher()->attempt(make_site(tube, analysis, holes, {}), progress);
+  HolePatch lid = *flat_patch(make_site(tube, analysis, holes, {}), false, progress);
   const auto given = static_cast<Index>(tube.vertex_count());
   const auto middle_of = [&](const std::array<Index, 3>& t) {
     return Vec3((tube.positions[t[0]] + tube.positions[t[1]] + tube.positions[t[2]]) / 3);
@@ -116,7 +109,7 @@ TEST_CASE("a lid across a tube, at right angles to it, isn't trusted") {
 }
 
 TEST_CASE("patches without new vertices have no confidence per vertex") {
-  CHECK(close_first(cut(round_sphere(3), Vec3(0, 0, 1), 0.5).mesh, *minimal_patcher()).confidence.empty());
+  CHECK(close_first(cut(round_sphere(3), Vec3(0, 0, 1), 0.5).mesh, Maker::Flat).confidence.empty());
 }
 
 TEST_CASE("the more is cut off a sphere, the less its patch is trusted, and what is trusted is right") {
@@ -143,10 +136,10 @@ TEST_CASE("a flat cap over a wide section isn't trusted, one over a pinhole is")
 
 TEST_CASE("rough rims don't make a patch doubtful, a fold all round does") {
   const PolyMesh rough = with_noisy_rims(cut(round_sphere(4), Vec3(0, 0, 1), 0.3).mesh, 2, 0.3);
-  const Made made = close_first(rough, *implicit_patcher({}, 40000));
+  const Made made = close_first(rough, Maker::Implicit);
   CHECK(confidence_of(made.patch, made.mesh, made.analysis) > 0.35);
   const PolyMesh tube = open_tube(1, 2, 48, 16);
-  const Made lid = close_first(tube, *minimal_patcher());
+  const Made lid = close_first(tube, Maker::Flat);
   CHECK(confidence_of(lid.patch, lid.mesh, lid.analysis) < 0.05);
 }
 

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/verification/patch_verification.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/self_intersection.h"
-#include "croquis/hole_filling/patch_verification.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/scans/scans.h"
 
@@ -35,6 +35,14 @@ struct Scene {
     return verifier.accept_sound(patches, progress);
   }
   PatchVerdict judge(const HolePatch& patch) const { return judge(std::vector{patch}).front(); }
+
+  /// The hole of four edges.
+  const Hole* square_hole() const {
+    const auto found =
+        std::ranges::find(analysis.holes, std::size_t{4}, [](const Hole& h) { return h.vertices.size(); });
+    REQUIRE(found != analysis.holes.end());
+    return &*found;
+  }
 
   /// A fan from a new vertex at `tip` to a rim.
   HolePatch fan(Index hole, const Vec3& tip) const {
@@ -132,9 +140,7 @@ TEST_CASE("an edge that the mesh has already is refused") {
   const Index tip = static_cast<Index>(mesh.vertex_count()) - 1;
   mesh.add_triangle(5, 10, tip);
   const Scene scene(mesh);
-  const auto open = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
-                                 [](const Hole& hole) { return hole.vertices.size() == 4; });
-  REQUIRE(open != scene.analysis.holes.end());
+  const Hole* const open = scene.square_hole();
   const auto& rim = open->vertices;
   const HolePatch over{{open->id}, {}, {{rim[2], rim[1], rim[0]}, {rim[0], rim[3], rim[2]}}};
   const HolePatch across{{open->id}, {}, {{rim[1], rim[0], rim[3]}, {rim[3], rim[2], rim[1]}}};
@@ -198,9 +204,7 @@ TEST_CASE("coordinates are judged as they will be written") {
   mesh.add_triangle(base, base + 1, base + 2);
   for (Vec3& p : mesh.positions) p.z() += 1000;
   const Scene scene(mesh);
-  const auto hole = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
-                                 [](const Hole& h) { return h.vertices.size() == 4; });
-  REQUIRE(hole != scene.analysis.holes.end());
+  const Hole* const hole = scene.square_hole();
   const HolePatch patch = scene.fan(hole->id, Vec3(1.5, 1.5, 1000));
   Progress progress;
   PatchVerifier as_double(scene.mesh, scene.analysis, Precision::Double);
@@ -219,9 +223,7 @@ TEST_CASE("a triangle that loses its area to single precision is refused where t
   }
   mesh.positions[corner] -= Vec3(0.01, 0.01 * 0x1p-24, 0);
   const Scene scene(mesh);
-  const auto hole = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
-                                 [](const Hole& h) { return h.vertices.size() == 4; });
-  REQUIRE(hole != scene.analysis.holes.end());
+  const Hole* const hole = scene.square_hole();
   const HolePatch patch = scene.fan(hole->id, Vec3(1e6 + 1, 1, 0));
   Progress progress;
   PatchVerifier as_double(scene.mesh, scene.analysis, Precision::Double);
@@ -240,8 +242,7 @@ TEST_CASE("a mesh of double numbers that will be stored as single ones is judged
   for (Vec3& p : mesh.positions) p.z() += 1000;
   const auto is_sound = [](const PolyMesh& given, Precision precision) {
     const Scene scene(given);
-    const auto hole = std::find_if(scene.analysis.holes.begin(), scene.analysis.holes.end(),
-                                   [](const Hole& h) { return h.vertices.size() == 4; });
+    const Hole* const hole = scene.square_hole();
     Progress progress;
     PatchVerifier verifier(scene.mesh, scene.analysis, precision);
     const HolePatch patch = scene.fan(hole->id, Vec3(1.5, 1.5, 1000 + 1.587e-4));

@@ -7,18 +7,18 @@
 
 #include <catch2/catch.hpp>
 
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
 #include "algorithms/hole_filling/continuation/rim_field.h"
-#include "algorithms/hole_filling/patching/covering.h"
-#include "algorithms/hole_filling/patching/open_sheet.h"
-#include "algorithms/hole_filling/patching/patcher.h"
-#include "algorithms/hole_filling/patching/rim_zip.h"
+#include "algorithms/hole_filling/patching/patch_methods.h"
+#include "algorithms/hole_filling/patching/sheet_loops.h"
+#include "algorithms/hole_filling/verification/patch_verification.h"
+#include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/fill_holes.h"
-#include "croquis/hole_filling/hole_groups.h"
-#include "croquis/hole_filling/patch_verification.h"
 #include "hole_filling/fill_invariants.h"
+#include "hole_filling/site_scene.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -33,23 +33,18 @@ using namespace croquis::hole_filling;
 
 namespace {
 
-HoleAnalysis analysis_of(const PolyMesh& mesh) {
-  Progress progress;
-  return analyse_holes(mesh, progress);
-}
-
 /// A hole with its companions each.
 std::vector<std::vector<Index>> groups_of(const HoleAnalysis& analysis) {
-  HoleGroups groups(analysis.holes.size());
+  DisjointSets groups(analysis.holes.size());
   for (const Hole& hole : analysis.holes) {
-    for (const Index other : hole.companions) groups.merge(hole.id, other);
+    for (const Index other : hole.companions) groups.unite(hole.id, other);
   }
   return groups.lists();
 }
 
 std::optional<HolePatch> by_cubes(const PolyMesh& mesh, const HoleAnalysis& analysis, const std::vector<Index>& holes) {
   Progress progress;
-  return polygonised_patcher({}, 40000)->attempt(make_site(mesh, analysis, holes, {}), progress);
+  return cubes_patch(make_site(mesh, analysis, holes, {}), false, progress);
 }
 
 struct Tally {
@@ -78,27 +73,6 @@ PolyMesh without(const PolyMesh& mesh, const std::function<bool(const Vec3&)>& i
     if (std::ranges::all_of(mesh.face(f), [&](Index v) { return is_gone(mesh.positions[v]); })) gone.push_back(f);
   }
   return without_faces(mesh, gone);
-}
-
-FillResult fill_all(const PolyMesh& mesh) {
-  FillOptions options;
-  options.selection = Selection::All;
-  options.flat_caps = false;
-  Progress progress;
-  return fill_holes(mesh, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
-
-/// Of new vertices to the unit sphere.
-double greatest_radial_error(const FillResult& result) {
-  double worst = 0;
-  for (std::size_t v = result.mesh.vertex_count() - result.new_vertices; v < result.mesh.vertex_count(); ++v)
-    worst = std::max(worst, std::abs(result.mesh.positions[v].norm() - 1));
-  return worst;
 }
 
 void check_one_sphere(const FillResult& result) {
@@ -217,12 +191,12 @@ TEST_CASE("huge ragged holes of sculptures get sound patches by cubes, or none")
 
 TEST_CASE("a hole and its islands become one sphere by cubes") {
   const PolyMesh ball = round_sphere(5);
-  check_one_sphere(fill_all(cut_ring(ball, Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh));
+  check_one_sphere(fill(cut_ring(ball, Vec3(0, 0.6, 0.8), 0.25, 0.6).mesh, everything()));
   const PolyMesh two = without(ball, [](const Vec3& p) {
     return (p - Vec3(0, 0, 1)).norm() < 0.8 && (p - Vec3(0.4, 0, 0.92)).norm() > 0.15 &&
            (p - Vec3(-0.4, 0, 0.92)).norm() > 0.15;
   });
-  const FillResult result = fill_all(two);
+  const FillResult result = fill(two, everything());
   REQUIRE(result.outcomes.size() == 3);
   check_one_sphere(result);
   CHECK(greatest_radial_error(result) < 0.003);
@@ -243,7 +217,7 @@ TEST_CASE("a continuation that comes upon another rim tells, and both are filled
     CHECK(patch->triangles.empty());
   }
   CHECK_FALSE(arrivals.empty());
-  check_one_sphere(fill_all(mesh));
+  check_one_sphere(fill(mesh, everything()));
 }
 
 TEST_CASE("continuations that don't close come to nothing, soon") {
@@ -317,7 +291,7 @@ TEST_CASE("places on the surface around a hole are covered, those beyond its rim
   REQUIRE(analysis.holes.size() == 1);
   const HoleSite site = make_site(mesh, analysis, std::vector<Index>{0}, {});
   const Covering covering(site, {Vec3::Constant(-2), Vec3::Constant(2)});
-  const auto surface = fit_rims(site, {}, {});
+  const auto surface = fit_rims(site, {});
   REQUIRE(surface);
   const double cell = surface->edge;
   std::vector<Vec3> places;
@@ -327,23 +301,6 @@ TEST_CASE("places on the surface around a hole are covered, those beyond its rim
   CHECK(covered == std::vector<std::uint8_t>{0, 0, 0, 1, 1});
   CHECK(covering.wall(1) == Approx(0.2).epsilon(0.1));
   CHECK(covering.wall(0.1) == 0.1);
-}
-
-TEST_CASE("sheets lose what hangs at their borders by one edge or touches them in a vertex") {
-  PolyMesh mesh = sheet(6, 6);
-  const std::vector<std::uint8_t> none(mesh.vertex_count() + 2, 0);
-  const std::size_t faces = open_sheet(mesh, none).face_count();
-  CHECK(open_sheet(open_sheet(mesh, none), none).face_count() == faces);
-  CHECK(mesh.face_count() - faces <= 2);  // corners of the square
-  mesh.positions.emplace_back(3, -1, 0);
-  mesh.add_triangle(3, 2, static_cast<Index>(mesh.vertex_count() - 1));
-  CHECK(open_sheet(mesh, none).face_count() == faces);
-  std::vector<std::uint8_t> middle(mesh.vertex_count(), 0);
-  middle[3 * 7 + 3] = 1;
-  const PolyMesh ring = open_sheet(mesh, middle);
-  CHECK(border_loops(ring).size() == 2);
-  const MeshTopology topology(ring);
-  for (Index v = 0; v < ring.vertex_count(); ++v) CHECK(topology.fan_count(v) == 1);
 }
 
 TEST_CASE("whatever is left out of a sheet, simple borders are left") {

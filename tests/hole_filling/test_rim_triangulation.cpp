@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,13 +9,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/fairing/cgal_patch.h"
-#include "algorithms/hole_filling/triangulation/dihedral_triangulation.h"
-#include "algorithms/hole_filling/triangulation/ear_clipping.h"
-#include "algorithms/hole_filling/triangulation/edge_flips.h"
-#include "algorithms/hole_filling/triangulation/minimal_triangulation.h"
-#include "croquis/base/error.h"
-#include "croquis/hole_filling/rim_triangulation.h"
+#include "algorithms/hole_filling/fairing/fairing.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -92,7 +85,7 @@ double shoelace(const RimPolygon& polygon) {
 
 std::optional<RimTriangulation> triangulated(const RimPolygon& polygon, std::size_t exact = 300) {
   Progress progress;
-  return triangulate_rim(polygon, progress, {.exact_points = exact});
+  return triangulate_rim(polygon, progress, exact);
 }
 
 /// Two rings in the plane or in space, the outer one first, the inner one the other way round.
@@ -249,14 +242,14 @@ TEST_CASE("when more triangles are avoided the next search finds what one from t
     MinimalTriangulations triangulations(polygon, bridged_order(polygon));
     Progress progress;
     for (auto found = triangulations.next(progress); found; found = triangulations.next(progress)) {
-      CHECK(found == minimal_triangulation(polygon, bridged_order(polygon), progress));
+      CHECK(found == MinimalTriangulations(polygon, bridged_order(polygon)).next(progress));
       for (Index count = 0; count <= random.below(6); ++count) {
         polygon.avoided.push_back((*found)[random.below(static_cast<Index>(found->size()))]);
         std::sort(polygon.avoided.back().begin(), polygon.avoided.back().end());
       }
       std::sort(polygon.avoided.begin(), polygon.avoided.end());
     }
-    CHECK_FALSE(minimal_triangulation(polygon, bridged_order(polygon), progress));  // none is left
+    CHECK_FALSE(MinimalTriangulations(polygon, bridged_order(polygon)).next(progress));  // none is left
     CHECK(polygon.avoided.size() > 30);
   }
 }
@@ -378,10 +371,4 @@ TEST_CASE("the triangulation that bends least leaves blocked edges out, and take
   }
   square.blocked = {{0, 2}, {1, 3}};
   CHECK_FALSE(bending_least(square));
-}
-
-TEST_CASE("triangulations can be cancelled") {
-  const std::atomic<bool> cancel = true;
-  Progress progress({}, &cancel);
-  CHECK_THROWS_AS(triangulate_rim(wavy(100, 0.1, 0.1), progress), Cancelled);
 }

@@ -7,10 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/continuation/crease_angle.h"
-#include "algorithms/hole_filling/continuation/crease_field.h"
-#include "algorithms/hole_filling/continuation/smooth_sides.h"
-#include "algorithms/hole_filling/patching/cross_validation.h"
+#include "algorithms/hole_filling/continuation/creases.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/site_scene.h"
@@ -78,7 +75,7 @@ TEST_CASE("a smooth surface is one side") {
 TEST_CASE("fits of a box' sides combine to the box around its edges and corners") {
   for (const Vec3& centre : {Vec3(0.5, 1, 1), Vec3(1, 1, 1)}) {
     const SiteScene scene(cut(divided_box(16), centre, 0.22).mesh);
-    const auto field = fit_sides(scene.site, {});
+    const auto field = fit_sides(scene.site, usual_side_residual);
     REQUIRE(field);
     for (const Vec3& offset : {Vec3(0.01, 0.02, 0.03), Vec3(-0.1, -0.02, 0.04), Vec3(-0.05, -0.07, -0.01)}) {
       const Vec3 place = centre + offset;
@@ -157,22 +154,6 @@ TEST_CASE("a hole beside an edge is filled flat: what lies beyond the edge doesn
   const FillResult result = fill(mesh, Preset::Standard);
   for (std::size_t v = mesh.vertex_count(); v < result.mesh.vertex_count(); ++v)
     CHECK(std::abs(result.mesh.positions[v].z() - 1) < 1e-9);
-}
-
-TEST_CASE("cross-validation tells smooth methods from flat ones on a sphere, and none of them from nothing") {
-  Progress progress;
-  const SiteScene scene(cut(round_sphere(4), Vec3(0, 0, 1), 0.6).mesh);
-  const CrossValidation validation(scene.site, progress);
-  CHECK(validation.probe_count() >= 3);
-  const double implicit = validation.error(*implicit_patcher({}, 40000), progress);
-  const double flat = validation.error(*minimal_patcher(), progress);
-  CHECK(implicit < 0.2 * flat);
-  CHECK(flat > 0.005);  // a disc of radius 0.3 lies 0.02 below the sphere in the mean
-  CHECK(flat < 0.05);
-  const SiteScene small(cut(round_sphere(0), Vec3(0, 0, 1), 1.2).mesh);
-  const CrossValidation nothing(small.site, progress);
-  CHECK(nothing.probe_count() == 0);
-  CHECK(std::isinf(nothing.error(*minimal_patcher(), progress)));
 }
 
 TEST_CASE("machined sculptures come out better by preset sharp, smooth ones not worse") {

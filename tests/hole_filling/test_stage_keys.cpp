@@ -57,9 +57,9 @@ TEST_CASE("every option of the analysis changes its key") {
   CHECK_FALSE(keys.contains(""));
 }
 
-TEST_CASE("every wish for a patch changes its key") {
-  std::set<std::string> keys = {StageKey().add(PatchWish()).bytes()};
-  const auto changes = changes_of(PatchWish());
-  for (const PatchWish& changed : changes) keys.insert(StageKey().add(changed).bytes());
+TEST_CASE("every setting of a patch changes its key") {
+  std::set<std::string> keys = {StageKey().add(PatchSettings()).bytes()};
+  const auto changes = changes_of(PatchSettings());
+  for (const PatchSettings& changed : changes) keys.insert(StageKey().add(changed).bytes());
   CHECK(keys.size() == changes.size() + 1);
 }

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/hole_filling/analysis/welding.h"
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
@@ -254,16 +254,6 @@ TEST_CASE("wider seams are joined by as wide a tolerance, and no edge loses its 
     // Wider than its edges: what is nearer than half an edge is joined, and no triangle disappears.
     CHECK(view_of(scaled(seamed, 1), 1).dropped_triangles == 0);
   }
-}
-
-TEST_CASE("a soup whose corners differ by rounding is joined as the mesh that it was") {
-  const PolyMesh mesh = random_cuts(round_sphere(3), 1, 3, 0.2, 0.4).mesh;
-  PolyMesh soup = as_soup(mesh);
-  Random random(7);
-  for (Vec3& place : soup.positions) place *= 1 + 1e-15 * random.below(4);
-  const SurfaceView joined = view_of(mesh), view = view_of(soup);
-  CHECK(view.opposite == joined.opposite);
-  CHECK(view.nearly_welded_vertices > 0);
 }
 
 TEST_CASE("a joined soup has the figures of the mesh that it was, and all its inner edges are seams") {

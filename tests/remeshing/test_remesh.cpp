@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/remesh_plan.h"
+#include "algorithms/remeshing/memory.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
@@ -84,7 +84,7 @@ double greatest_dihedral(const PolyMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("made anew, spheres with holes are closed and as round as they were, with every kernel") {
+TEST_CASE("remeshed spheres with holes are closed and as round as they were, with every kernel") {
   using implicit::Kernel;
   const PolyMesh mesh = random_cuts(round_sphere(5), 1, 4, 0.1, 0.35).mesh;
   for (const Kernel kernel : {Kernel::Hermite, Kernel::Triharmonic, Kernel::Biharmonic, Kernel::ThinPlate}) {
@@ -102,7 +102,7 @@ TEST_CASE("made anew, spheres with holes are closed and as round as they were, w
   }
 }
 
-TEST_CASE("whatever is cut out of closed shapes, the model made anew is closed and sound and keeps its handles") {
+TEST_CASE("whatever is cut out of closed shapes, the remeshed model is closed and sound and keeps its handles") {
   const int seeds = sample_count(3, 30);
   for (int seed = 1; seed <= seeds; ++seed) {
     CAPTURE(seed);
@@ -188,7 +188,7 @@ TEST_CASE("sculpted scans with ragged holes are closed") {
   }
 }
 
-TEST_CASE("soups are made anew as the mesh that they were") {
+TEST_CASE("soups are remeshed as the mesh that they were") {
   const PolyMesh mesh = random_cuts(round_sphere(4), 2, 2, 0.2, 0.3).mesh;
   check_sound(remesh(as_soup(mesh)), 1, 0, 2);
 }
@@ -200,7 +200,7 @@ TEST_CASE("a model of few large faces is sampled in their middle") {
   CHECK(mean_distance(cube(), result.mesh) < 0.015);  // corners become round
 }
 
-TEST_CASE("parts thinner than a cube come out whole where memory allows smaller cubes, else they are told") {
+TEST_CASE("parts thinner than a cube come out whole where memory allows smaller cubes, else they are reported") {
   // A ball with a needle of 0.08 across.
   std::vector<Vec2> profile = {{0, -1}};
   for (int i = 1; i < 20; ++i) {
@@ -216,11 +216,10 @@ TEST_CASE("parts thinner than a cube come out whole where memory allows smaller 
   const RemeshResult result = remesh(mesh, options);
   CHECK(report_of(result.mesh).closed);
   CHECK(result.checks.lost_points > 0);
-  const auto told = std::find_if(result.warnings.begin(), result.warnings.end(),
-                                 [](const Finding& finding) { return finding.code == "W_DETAIL_LOST"; });
-  REQUIRE(told != result.warnings.end());
-  REQUIRE(told->subjects.size() == 1);
-  CHECK(told->subjects[0].at[2] > 1);  // on the needle
+  const auto warning = std::ranges::find(result.warnings, "W_DETAIL_LOST", &Finding::code);
+  REQUIRE(warning != result.warnings.end());
+  REQUIRE(warning->subjects.size() == 1);
+  CHECK(warning->subjects[0].at[2] > 1);  // on the needle
 }
 
 TEST_CASE("colours and other values of vertices go over to where they belong") {
@@ -255,7 +254,7 @@ TEST_CASE("colours and other values of vertices go over to where they belong") {
   CHECK(in_hole > 20);
 }
 
-TEST_CASE("faces tell whether they lie in a hole that was closed") {
+TEST_CASE("faces show whether they lie in a hole that was closed") {
   const PolyMesh mesh = cut(round_sphere(5), Vec3(0, 0, 1), 0.4).mesh;
   const RemeshResult result = remesh(mesh);
   const auto& patch = std::get<std::vector<std::int32_t>>(result.mesh.channel("patch_id", Domain::Face)->data);
@@ -343,7 +342,7 @@ TEST_CASE("a wall thinner than a cube comes out whole, made of smaller cubes") {
   }
 }
 
-TEST_CASE("a fin's free edges are closed too, or told to be open") {
+TEST_CASE("a fin's free edges are closed too, or reported as open") {
   PolyMesh mesh = round_sphere(4);
   const auto face = mesh.face(0);
   const std::array edge = {face[0], face[1]};
@@ -352,9 +351,7 @@ TEST_CASE("a fin's free edges are closed too, or told to be open") {
   RemeshOptions options;
   options.fill.selection = Selection::All;
   const RemeshResult result = remesh(mesh, options);
-  const bool is_told = std::any_of(result.warnings.begin(), result.warnings.end(),
-                                   [](const Finding& finding) { return finding.code == "W_NOT_CLOSED"; });
-  CHECK(is_told == !report_of(result.mesh).closed);
+  CHECK(warns(result, "W_NOT_CLOSED") == !report_of(result.mesh).closed);
 }
 
 TEST_CASE("bands of one side and thin plates stay where they are when all holes are chosen") {

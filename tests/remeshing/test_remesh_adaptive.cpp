@@ -12,8 +12,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/simplification/edge_collapse.h"
-#include "algorithms/remeshing/simplification/surface_deviation.h"
+#include "algorithms/remeshing/edge_collapse.h"
+#include "algorithms/remeshing/flat_faces.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"

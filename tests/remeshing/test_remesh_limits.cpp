@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/remesh_plan.h"
+#include "algorithms/remeshing/memory.h"
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
@@ -61,7 +61,7 @@ TEST_CASE("one, two and eight threads make the same model, bit by bit") {
   }
 }
 
-TEST_CASE("a model that is larger or elsewhere is made anew as the same model") {
+TEST_CASE("a model that is larger or elsewhere is remeshed as the same model") {
   const PolyMesh mesh = holed_torus();
   const PolyMesh made = remeshed(mesh);
   const double diagonal = diagonal_of(mesh);
@@ -119,7 +119,7 @@ TEST_CASE("what is needed grows with vertices, finer cells and refinement, and n
   CHECK(predicted_remesh_bytes(mesh, options) <= 2 * fine);
 }
 
-TEST_CASE("options out of range are all told") {
+TEST_CASE("options out of range are all reported") {
   RemeshOptions options;
   options.cell = 0;
   options.overlap = 2;
@@ -131,7 +131,7 @@ TEST_CASE("options out of range are all told") {
   for (const Finding& finding : findings) CHECK(finding.code == "E_PARAMETER");
 }
 
-TEST_CASE("making anew can be cancelled at every step, and progress only grows to 1") {
+TEST_CASE("remeshing can be cancelled at every step, and progress only grows to 1") {
   const PolyMesh mesh = holed_torus();
   std::vector<double> fractions;
   std::vector<std::string> steps;
@@ -161,16 +161,13 @@ TEST_CASE("making anew can be cancelled at every step, and progress only grows t
   }
 }
 
-TEST_CASE("where triangles are of many sizes cells don't make the model many times as large, and that is told") {
+TEST_CASE("where triangles are of many sizes cells don't make the model many times as large, and that is reported") {
   const PolyMesh dense = scaled(sheet(80, 80), 1.0 / 80), wide = translated(sheet(20, 20), Vec3(2, 0, 0));
   const PolyMesh mesh = merged(dense, wide);
   const RemeshResult result = remesh(mesh);
-  const auto told = [&](const char* code) {
-    return std::ranges::find(result.warnings, code, &Finding::code) != result.warnings.end();
-  };
   CHECK(result.coarsening > 1.2);
-  CHECK(told("W_CELLS_ENLARGED"));
-  CHECK(told("W_MANY_FACES") == (result.mesh.face_count() > 4 * mesh.face_count()));
+  CHECK(warns(result, "W_CELLS_ENLARGED"));
+  CHECK(warns(result, "W_MANY_FACES") == (result.mesh.face_count() > 4 * mesh.face_count()));
   CHECK(result.mesh.face_count() < 8 * mesh.face_count());
   CHECK(result.mesh.face_count() < result.predicted_faces);
   const RemeshResult even = remesh(dense);

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/remesh_plan.h"
+#include "algorithms/remeshing/memory.h"
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"

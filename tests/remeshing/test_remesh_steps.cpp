@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/remesh_cuts.h"
-#include "algorithms/remeshing/remesh_improvement.h"
-#include "algorithms/remeshing/remesh_openings.h"
-#include "algorithms/remeshing/remesh_trimming.h"
+#include "algorithms/remeshing/improvement.h"
+#include "algorithms/remeshing/openings.h"
+#include "algorithms/remeshing/surface_parts.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/self_intersection.h"
 #include "support/meshes/mesh_shapes.h"
@@ -78,13 +77,13 @@ TEST_CASE("sheets that no point lies on are dropped, those with points stay") {
   PolyMesh mesh = merged(round_sphere(3), translated(scaled(round_sphere(3), 0.5), Vec3(3, 0, 0)));
   const PolyMesh data = round_sphere(3);
   Progress progress;
-  CHECK(drop_strays(mesh, data.positions, 1, progress) == 1);
+  CHECK(drop_detached(mesh, data.positions, 1, progress) == 1);
   CHECK(mesh.face_count() == data.face_count());
   Progress again;
-  CHECK(drop_strays(mesh, data.positions, 1, again) == 0);
+  CHECK(drop_detached(mesh, data.positions, 1, again) == 0);
 }
 
-TEST_CASE("openings are told apart from rims that stay open, and closed by patches") {
+TEST_CASE("openings are distinguished from rims that stay open, and closed by patches") {
   // Given: a bowl with a hole, which is to be closed. Made: the same, so that both its rims are loops.
   const PolyMesh mesh = cut(bowl(48, 20), Vec3(0, 0, -1), 0.3).mesh;
   Progress progress;
@@ -96,14 +95,13 @@ TEST_CASE("openings are told apart from rims that stay open, and closed by patch
   CHECK(pieces.pieces[0].ends);
   PolyMesh surface = mesh;
   Progress looking;
-  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces.rims, {}, looking);
+  Openings openings = find_openings(surface, mesh, pieces.pieces[0], pieces, {}, looking);
   CHECK(openings.meant == 1);
   REQUIRE(openings.loops.size() == 1);
-  CHECK(analysis.holes[openings.holes[0]].kind != HoleClass::Outer);
+  CHECK(analysis.holes[openings.loops[0].hole].kind != HoleClass::Outer);
   Progress patching;
-  CHECK(close_by_patches(surface, openings, {}, patching).loops.size() == 1);
-  CHECK(openings.none());
-  CHECK(openings.none());
+  CHECK(close_by_patches(surface, openings, {}, patching).closed.size() == 1);
+  CHECK(openings.loops.empty());
   Progress last;
   CHECK(inspect(surface, true, last).boundary_loops == 1);
 }

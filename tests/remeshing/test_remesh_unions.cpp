@@ -26,11 +26,6 @@ using namespace croquis::remeshing;
 
 namespace {
 
-bool tells(const RemeshResult& result, const std::string& code) {
-  return std::any_of(result.warnings.begin(), result.warnings.end(),
-                     [&](const Finding& finding) { return finding.code == code; });
-}
-
 void check_uncut(const RemeshResult& result) {
   const MeshReport report = report_of(result.mesh);
   CHECK(report.self_intersections == std::size_t{0});
@@ -39,7 +34,7 @@ void check_uncut(const RemeshResult& result) {
   CHECK(report.oriented);
   CHECK(result.checks.self_intersections == 0);
   CHECK(result.checks.piece_crossings == 0);
-  CHECK_FALSE(tells(result, "W_CUTS_ITSELF"));
+  CHECK_FALSE(warns(result, "W_CUTS_ITSELF"));
   CHECK(validate(result.mesh).empty());
 }
 
@@ -90,7 +85,7 @@ TEST_CASE("two balls that cross become one solid, whatever their distance") {
     const RemeshResult result = remesh(merged(ball(Vec3(0, 0, 0)), ball(Vec3(distance, 0.01, 0.02))));
     check_solid(result, 1, 2, two_balls(Vec3(distance, 0.01, 0.02).norm()));
     CHECK(result.checks.united_pieces == 2);
-    CHECK(tells(result, "W_PIECES_UNITED"));
+    CHECK(warns(result, "W_PIECES_UNITED"));
     for (const Vec3& p : result.mesh.positions) {
       const double away = std::min(std::abs(p.norm() - 1), std::abs((p - Vec3(distance, 0.01, 0.02)).norm() - 1));
       CHECK(away < 0.002);

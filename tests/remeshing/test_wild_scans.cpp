@@ -10,11 +10,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/remeshing/remesh_backing.h"
-#include "algorithms/remeshing/remesh_plan.h"
-#include "algorithms/remeshing/remesh_points.h"
-#include "algorithms/remeshing/remesh_room.h"
-#include "algorithms/remeshing/solids/union_check.h"
+#include "algorithms/remeshing/backing.h"
+#include "algorithms/remeshing/comparison.h"
+#include "algorithms/remeshing/memory.h"
+#include "algorithms/remeshing/united_solid.h"
 #include "croquis/base/error.h"
 #include "hole_filling/fill_invariants.h"
 #include "remeshing/remeshed.h"
@@ -33,12 +32,10 @@ using namespace croquis::remeshing;
 
 namespace {
 
-bool tells_any(const Findings& findings, std::span<const char* const> codes) {
+bool warns_of_any(const Findings& findings, std::span<const char* const> codes) {
   return std::ranges::any_of(
       findings, [&](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
 }
-
-bool is_told(const RemeshResult& result, const char* code) { return tells_any(result.warnings, std::array{code}); }
 
 /// Nothing when the scan was refused as a whole, with a sentence.
 std::optional<RemeshResult> remeshed_or_refused(const PolyMesh& scan, const RemeshOptions& options) {
@@ -82,7 +79,7 @@ double missing_share(const PolyMesh& scan, const RemeshResult& result) {
 
 }  // namespace
 
-TEST_CASE("scans as wild as they come are made anew near to what they are, or refused with a reason") {
+TEST_CASE("scans as wild as they come are remeshed near to what they are, or refused with a reason") {
   constexpr std::array losses = {"W_PIECE_REFUSED", "W_PIECE_LOST", "W_DETAIL_LOST", "W_NOT_CLOSED"};
   const auto seeds = static_cast<std::uint64_t>(sample_count(2, 20));
   std::size_t made = 0, all = 0;
@@ -95,15 +92,15 @@ TEST_CASE("scans as wild as they come are made anew near to what they are, or re
       if (!result) continue;
       ++made;
       CHECK(unexplained(scan, *result, 4 * mean_edge_of(scan)) == 0);
-      if (missing_share(scan, *result) > 0.1) CHECK(tells_any(result->warnings, losses));
+      if (missing_share(scan, *result) > 0.1) CHECK(warns_of_any(result->warnings, losses));
       CHECK(result->checks.manifold);
-      CHECK((result->checks.self_intersections == 0 || is_told(*result, "W_CUTS_ITSELF")));
+      CHECK((result->checks.self_intersections == 0 || warns(*result, "W_CUTS_ITSELF")));
     }
   }
   CHECK(4 * made > 3 * all);  // refusing isn't the cure
 }
 
-TEST_CASE("but in holes nothing lies farther than half a cell off a scan, or it is told") {
+TEST_CASE("but in holes nothing lies farther than half a cell off a scan, or it is reported") {
   const std::array kinds = {ScanKind::RangeView, ScanKind::Face, ScanKind::Statue, ScanKind::Photogrammetry};
   for (const ScanKind kind : kinds) {
     for (const std::uint64_t seed : {1U, 3U}) {
@@ -112,7 +109,7 @@ TEST_CASE("but in holes nothing lies farther than half a cell off a scan, or it 
       CAPTURE(name_of(kind), seed, result.checks.loose_points);
       const double cell = std::min(mean_edge_of(scan), diagonal_of(scan) / 40);
       CHECK(unexplained(scan, result, 0.5 * cell) <= result.checks.loose_points);
-      CHECK(is_told(result, "W_OFF_SCAN") == (result.checks.loose_points > 0));
+      CHECK(warns(result, "W_OFF_SCAN") == (result.checks.loose_points > 0));
       CHECK(200 * result.checks.loose_points < result.mesh.vertex_count());
     }
   }
@@ -152,11 +149,11 @@ TEST_CASE("boxes and volumes that differ are found, whatever closes holes is all
     for (Index v = 0; v < scan.vertex_count(); ++v) piece.vertices.push_back(v);
     for (Index t = 0; t < analysis.view.triangles.size(); ++t) piece.triangles.push_back(t);
     for (const Hole& hole : analysis.holes) piece.groups.push_back({hole.id});
-    return change_of(room_of_scan(scan, analysis, piece), room_of_surface(made, true), analysis, piece, 0.07);
+    return change_of(extent_of_scan(scan, analysis, piece), extent_of_surface(made, true), analysis, piece, 0.07);
   };
   CHECK_FALSE(change(ball, ball).any());
   CHECK_FALSE(change(ball, scaled(ball, 1.01)).any());
-  const RoomChange larger = change(ball, scaled(ball, 1.2));
+  const ExtentChange larger = change(ball, scaled(ball, 1.2));
   CHECK(larger.given == Approx(4.18).margin(0.02));
   CHECK(larger.made == Approx(1.728 * larger.given));
   CHECK(larger.grown == Approx(0.2).margin(0.01));
@@ -168,7 +165,7 @@ TEST_CASE("boxes and volumes that differ are found, whatever closes holes is all
 
 TEST_CASE("a solid of several pieces encloses no less than one of them and no more than all") {
   const PolyMesh ball = round_sphere(4);
-  const double volume = *room_of_surface(ball, true).volume;
+  const double volume = *extent_of_surface(ball, true).volume;
   const auto differs = [&](const PolyMesh& solid, const std::vector<std::optional<double>>& volumes) {
     return change_of_solid(volumes, solid, 0.07).any();
   };
@@ -196,23 +193,24 @@ TEST_CASE("in a hole's reach only what leaves the scan along its rim closes it")
   piece.groups = {{0}};
   const TriangleFans fans(scan.vertex_count(), scan.corners);
   const RemeshPoints points = points_of(scan, analysis, piece, scan.positions, 0.07);
-  const NearestSurface given(scan, analysis.view, fans, piece, points, 1);
-  const auto strays_of = [&](const PolyMesh& surface, const std::vector<Index>& open) {
+  const NearestScan given(scan, analysis.view, fans, piece, points, 1);
+  const auto unbacked_in = [&](const PolyMesh& surface, const std::vector<Index>& open) {
     const HoleReach holes(scan, analysis, piece, {}, {}, 0.07, open);
-    return find_strays(surface, scan, analysis.view, piece, given, holes, 0.05, 0.1, 1, progress);
+    return find_unbacked(surface, given, holes, 0.05, 0.1, progress);
   };
-  CHECK_FALSE(strays_of(ball, {}).any());
-  CHECK(strays_of(ball, {0}).count > 0);  // a hole that stays open is no excuse
+  CHECK(unbacked_in(ball, {}).far_count == 0);
+  CHECK(unbacked_in(ball, {0}).far_count > 0);  // a hole that stays open is no excuse
   const PolyMesh bubble = translated(scaled(round_sphere(2), 0.08), 1.2 * Vec3(std::sin(0.7), 0, std::cos(0.7)));
   const HoleReach holes(scan, analysis, piece, {}, {}, 0.07, {});
   REQUIRE(std::ranges::all_of(bubble.positions, [&](const Vec3& place) { return holes.contains(place); }));
-  const Strays strays = strays_of(merged(ball, bubble), {});
-  CHECK(strays.count == bubble.vertex_count());
-  CHECK(std::count(strays.vertices.begin(), strays.vertices.begin() + static_cast<std::ptrdiff_t>(ball.vertex_count()),
-                   1) == 0);
+  const UnbackedVertices found = unbacked_in(merged(ball, bubble), {});
+  CHECK(found.far_count == bubble.vertex_count());
+  CHECK(std::count(found.is_far.begin(), found.is_far.begin() + static_cast<std::ptrdiff_t>(ball.vertex_count()), 1) ==
+        0);
 }
 
-TEST_CASE("surface where no scan is near is counted, and told from a hundredth of all on, with its share and a place") {
+TEST_CASE(
+    "surface where no scan is near is counted, and reported from a hundredth of all on, with its share and a place") {
   constexpr std::array kinds = {ScanKind::RangeViews, ScanKind::Pot, ScanKind::Part, ScanKind::Thorns};
   std::size_t far_ones = 0;
   for (const ScanKind kind : kinds) {
@@ -225,13 +223,13 @@ TEST_CASE("surface where no scan is near is counted, and told from a hundredth o
       const auto count = static_cast<std::size_t>(
           std::ranges::count_if(result.mesh.positions, [&](const Vec3& place) { return to_scan(place) > far; }));
       CHECK(result.checks.far_points == count);
-      CHECK(is_told(result, "W_FAR_FROM_SCAN") == (result.checks.far_share >= 0.01));
+      CHECK(warns(result, "W_FAR_FROM_SCAN") == (result.checks.far_share >= 0.01));
       CHECK((result.checks.far_share > 0) == (count > 0));
-      far_ones += is_told(result, "W_FAR_FROM_SCAN") ? 1U : 0U;
-      const auto told = std::ranges::find(result.warnings, "W_FAR_FROM_SCAN", &Finding::code);
-      if (told == result.warnings.end()) continue;
-      REQUIRE(told->subjects.size() == 1);
-      const std::vector<double>& at = told->subjects[0].at;
+      far_ones += warns(result, "W_FAR_FROM_SCAN") ? 1U : 0U;
+      const auto warning = std::ranges::find(result.warnings, "W_FAR_FROM_SCAN", &Finding::code);
+      if (warning == result.warnings.end()) continue;
+      REQUIRE(warning->subjects.size() == 1);
+      const std::vector<double>& at = warning->subjects[0].at;
       CHECK(to_scan(Vec3(at[0], at[1], at[2])) > far);
     }
   }
@@ -257,7 +255,7 @@ TEST_CASE("the end of what views saw gets a flat lid, what closes in on itself i
     CHECK(summary_of_distances(hole.places, to_made).mean < 0.01 * round.diagonal);
 }
 
-TEST_CASE("where the field leads far away the holes are left to patches, and the rest is made anew") {
+TEST_CASE("where the field leads far away the holes are left to patches, and the rest is remeshed") {
   const PolyMesh scan = wild_scan(WildScan::Monument, 4, 8000);
   const RemeshResult result = remesh(scan);
   CHECK(unexplained(scan, result, 4 * mean_edge_of(scan)) == 0);
@@ -288,18 +286,18 @@ TEST_CASE("wide holes are closed by what lies around each of them alone, however
                             [](const HoleOutcome& outcome) { return outcome.method == "implicit-cubes"; }));
 }
 
-TEST_CASE("of sheets that cross and have no inside the larger one is made anew, and the other one is named") {
+TEST_CASE("of sheets that cross and have no inside the larger one is remeshed, and the other one is named") {
   const PolyMesh large = translated(sheet(30, 30), Vec3(-14.6, -14.7, 0.1));
   const PolyMesh small = rotated(translated(sheet(26, 26), Vec3(-13, -13, 0)), 1.2, Vec3(1, 0.2, 0).normalized());
   const RemeshResult result = remesh(merged(small, large));
-  REQUIRE(is_told(result, "W_PIECE_REFUSED"));
+  REQUIRE(warns(result, "W_PIECE_REFUSED"));
   CHECK(result.checks.self_intersections == 0);
   CHECK(summary_of_distances(large.positions, SurfaceDistance(result.mesh)).greatest < 1.5);
   CHECK(summary_of_distances(result.mesh.positions, SurfaceDistance(large)).greatest < 0.5);
-  const auto told = std::ranges::find(result.warnings, "W_PIECE_REFUSED", &Finding::code);
-  CHECK(told->message.find("Piece 0") != std::string::npos);
-  REQUIRE(told->subjects.size() == 1);
-  CHECK(told->subjects[0].at.size() == 3);
+  const auto warning = std::ranges::find(result.warnings, "W_PIECE_REFUSED", &Finding::code);
+  CHECK(warning->message.find("Piece 0") != std::string::npos);
+  REQUIRE(warning->subjects.size() == 1);
+  CHECK(warning->subjects[0].at.size() == 3);
 }
 
 TEST_CASE("a piece of which most gets lost is left out with its share, alone it is an error") {
@@ -310,14 +308,17 @@ TEST_CASE("a piece of which most gets lost is left out with its share, alone it 
   options.memory_limit = least_remesh_bytes(merged(plate, ball), options);
   const RemeshResult both = remesh(merged(plate, ball), options);
   constexpr std::array codes = {"W_PIECE_REFUSED", "W_PIECE_LOST"};
-  CHECK(tells_any(both.warnings, codes));
+  CHECK(warns_of_any(both.warnings, codes));
   CHECK(summary_of_distances(both.mesh.positions, SurfaceDistance(ball)).greatest < 0.02);
   CHECK(summary_of_distances(ball.positions, SurfaceDistance(both.mesh)).greatest < 0.02);
 }
 
 TEST_CASE("a closed surface goes once round what it encloses, half of one half round its middle") {
-  CHECK(winding_number(round_sphere(3), Vec3(0.3, 0.2, 0.1)) == Approx(1));
-  CHECK(winding_number(flipped(round_sphere(3)), Vec3(0.3, 0.2, 0.1)) == Approx(-1));
-  CHECK(winding_number(round_sphere(3), Vec3(2, 0, 0)) == Approx(0).margin(1e-12));
-  CHECK(std::abs(winding_number(bowl(48, 20), Vec3::Zero())) == Approx(0.5).margin(0.01));
+  const auto times_round = [](const PolyMesh& mesh, const Vec3& place) {
+    return SignedSurface(mesh, Progress()).winding_number(place);
+  };
+  CHECK(times_round(round_sphere(3), Vec3(0.3, 0.2, 0.1)) == Approx(1));
+  CHECK(times_round(flipped(round_sphere(3)), Vec3(0.3, 0.2, 0.1)) == Approx(-1));
+  CHECK(times_round(round_sphere(3), Vec3(2, 0, 0)) == Approx(0).margin(1e-12));
+  CHECK(std::abs(times_round(bowl(48, 20), Vec3::Zero())) == Approx(0.5).margin(0.01));
 }

@@ -37,6 +37,14 @@ class DisjointSets {
     return std::move(parent_);
   }
 
+  /// The elements of each set, ascending; sets by their lowest.
+  std::vector<std::vector<Index>> lists() {
+    std::vector<std::vector<Index>> members(parent_.size());
+    for (Index element = 0; element < parent_.size(); ++element) members[root(element)].push_back(element);
+    std::erase_if(members, [](const auto& set) { return set.empty(); });
+    return members;
+  }
+
   /// Numbers the sets by their lowest elements and uses them up.
   /// @param numbers is given, for each element, the number of its set
   /// @return how many sets there are

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,42 +12,10 @@
 #include "croquis/base/finding.h"
 #include "croquis/base/progress.h"
 #include "croquis/base/stage_cache.h"
+#include "croquis/hole_filling/fill_options.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "croquis/hole_filling/hole_request.h"
-#include "croquis/hole_filling/patch_verification.h"
 
 namespace croquis::hole_filling {
-
-/// Which holes are filled, before `only` and `max_diameter` are asked.
-enum class Selection {
-  Inner,          ///< all that are not OUTER
-  All,            ///< OUTER ones too
-  AllButLargest,  ///< all but the one with the greatest diameter
-  None            ///< only what requests name
-};
-
-struct FillOptions {
-  Selection selection = Selection::Inner;
-  std::vector<Index> only;  ///< ids of the holes to fill, instead of a selection; empty for the selection
-  double max_diameter = std::numeric_limits<double>::infinity();  ///< wider holes stay open; model units
-  Fairness fairness = Fairness::Implicit;
-  ImplicitOptions implicit;  ///< of Fairness::Implicit
-  Preset preset = Preset::Auto;
-  double bulge = 0;                          ///< -1..1, see PatchWish
-  int trim_rim = 0;                          ///< 0..3 rings of faces around chosen holes that are removed first
-  std::vector<HoleRequest> requests;         ///< for single holes
-  bool flat_caps = true;                     ///< OUTER holes that are chosen with all others get flat patches:
-                                             ///< smooth ones of an open tube would bulge by about a radius
-  Precision precision = Precision::Double;   ///< how the result will be stored
-  std::size_t most_patch_triangles = 40000;  ///< a patch that would need more is made of larger triangles
-  bool mark_patches = true;  ///< mark the patches by a face channel "patch_id" (int32, -1 for the faces given), and
-                             ///< how they are backed by a vertex channel "confidence" (float, 1 for the vertices given)
-  HoleAnalysisOptions analysis;
-  int threads = 1;               ///< 0: as many as the machine has. The result is the same for any
-  std::size_t memory_limit = 0;  ///< bytes; a mesh predicted to need more is refused. 0: none
-  StageCache* cache = nullptr;   ///< analysis and patches of earlier runs, not owned; null: everything is computed
-  std::string scan_key;          ///< distinguishes the mesh from all others in the cache; empty: all its bytes do
-};
 
 enum class FillAction {
   Fill,   ///< closed
@@ -66,7 +35,9 @@ struct HoleOutcome {
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes: at its lowest
   Eigen::AlignedBox3d box;                      ///< of the patch's new vertices
   Index patch = no_index;  ///< number of the patch, the same for holes that one patch joins; as in "patch_id"
-  double expected_error = std::numeric_limits<double>::quiet_NaN();  ///< as HolePatch has it
+  /// Mean distance of the patch to the surface that was there, as its confidence predicts it; model units. Preset Sharp
+  /// alone, else NaN.
+  double expected_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Least, middle and greatest number of points that the functions of a surface are fitted to.
@@ -106,5 +77,21 @@ const char* to_string(FillAction action);
 ///         large is allocated
 /// @throws Cancelled
 FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress);
+
+/// The analysis' findings, then those about the holes: left as OUTER, filled by another method, failed.
+Findings fill_findings(const PolyMesh& scan, const FillResult& result);
+
+/// How people ask for what a method makes: "by rbf", "smooth", "flat" or "bridged".
+std::string option_of(std::string_view method);
+
+/// Why a hole failed of which the whole piece was left out; the finding is about the piece.
+inline constexpr const char* piece_left_out = "its piece of the mesh was left out";
+
+/// Why the rim of a few triangles was left that hang in a hole by a vertex: the first of its companions.
+inline constexpr const char* hangs_at_rim = "hangs at the rim of a hole by a corner";
+
+/// Channels that filled and remeshed models carry.
+inline constexpr const char* patch_channel = "patch_id";
+inline constexpr const char* confidence_channel = "confidence";
 
 }  // namespace croquis::hole_filling

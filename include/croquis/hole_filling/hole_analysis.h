@@ -85,4 +85,9 @@ struct HoleAnalysis {
 /// @throws Cancelled
 HoleAnalysis analyse_holes(const PolyMesh& mesh, Progress& progress, const HoleAnalysisOptions& options = {});
 
+/// Of a diameter above a fifth of its piece's size: the place to begin from decides what a patch becomes.
+inline bool is_wide(const HoleAnalysis& analysis, Index hole) {
+  return analysis.holes[hole].diameter > 0.2 * analysis.component_size[analysis.holes[hole].component];
+}
+
 }  // namespace croquis::hole_filling

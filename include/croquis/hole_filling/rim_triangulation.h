@@ -34,10 +34,6 @@ struct RimTriangulation {
   bool is_minimal = false;  ///< no triangulation has less area; else no flip of an edge makes it less
 };
 
-struct RimTriangulationOptions {
-  std::size_t exact_points = 300;  ///< up to so many points the minimum is found; time n^3 (0.04 s), memory n^2
-};
-
 /// The triangulation of least area, or for long rims and several loops one that is near to it.
 ///
 /// Short: dynamic programming over the polygon (Barequet and Sharir 1995, section 3), several loops being joined into
@@ -46,8 +42,9 @@ struct RimTriangulationOptions {
 /// trace of the squared edges is added to areas, so that flat rims, all of whose triangulations are equal, get
 /// well-shaped triangles. Triangles without area and edges in `blocked` are avoided; none may be left, or nothing is
 /// returned.
+/// @param exact_points up to so many points the minimum is found; time n^3 (0.04 s for 300), memory n^2
 /// @throws Cancelled
 std::optional<RimTriangulation> triangulate_rim(const RimPolygon& polygon, Progress& progress,
-                                                const RimTriangulationOptions& options = {});
+                                                std::size_t exact_points = 300);
 
 }  // namespace croquis::hole_filling

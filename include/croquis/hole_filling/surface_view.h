@@ -4,7 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "croquis/base/progress.h"
 #include "croquis/geometry/poly_mesh.h"
@@ -50,6 +53,13 @@ struct SurfaceView {
   Index origin(Index corner) const { return triangles[corner / 3][corner % 3]; }
   Index target(Index corner) const { return origin(next(corner)); }
   Index representative_of(Index vertex) const { return representative.empty() ? vertex : representative[vertex]; }
+
+  /// Of a triangle, as long as twice its area.
+  /// @param positions of the mesh
+  Vec3 normal(Index triangle, std::span<const Vec3> positions) const {
+    const auto& [a, b, c] = triangles[triangle];
+    return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+  }
 
   /// True when the corner's edge lies between exactly two triangles.
   bool has_opposite(Index corner) const { return opposite[corner] < nonmanifold_edge; }

@@ -87,8 +87,8 @@ std::size_t predicted_remesh_bytes(const PolyMesh& mesh, const RemeshOptions& op
 /// is. Only where the surfaces made cross each other, these pieces are polygonised again as one solid: the union of
 /// what they enclose, less their cavities. Openings that the field leaves are distinguished from rims left open, and
 /// closed by patches, of a model made once more without those holes (where requests name some, with larger boxes
-/// first); what stays open all the same is a hole with FillAction::Failed. Vertices
-/// have the channels of the nearest place of the mesh; channels of faces and corners end here.
+/// first); what stays open all the same is a hole with FillAction::Failed. Vertices have the channels of the nearest
+/// place of the mesh; channels of faces and corners end here.
 ///
 /// Near-linear in vertices and in triangles of the result. The same for any number of threads.
 /// @throws Error as fill_holes; E_PARAMETER for options out of range; E_MEMORY (Category::Limit) before anything large

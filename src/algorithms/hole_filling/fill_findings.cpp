@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/hole_filling/fill_findings.h"
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <string>
 #include <utility>
 
+#include "algorithms/hole_filling/analysis/box_search.h"
 #include "croquis/base/text.h"
-#include "croquis/hole_filling/patch_confidence.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -18,7 +17,7 @@ Subject hole_subject(const PolyMesh& mesh, const Hole& hole) {
   return numbered_subject(SubjectKind::Hole, hole.id, {at.x(), at.y(), at.z()});
 }
 
-void tell_outer(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+void report_outer(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   std::vector<Subject> subjects;
   for (const Hole& hole : result.analysis.holes) {
     if (hole.kind == HoleClass::Outer && result.outcomes[hole.id].action == FillAction::Leave)
@@ -46,8 +45,13 @@ std::string names_of(const std::vector<Subject>& subjects) {
   return text + " and " + (left == 1 ? name_of(subjects.back()) : std::to_string(left) + " more");
 }
 
+/// "Hole 3 was filled", "Holes 3 and 5 were filled".
+std::string filled(const std::vector<Subject>& holes) {
+  return names_of(holes) + (holes.size() == 1 ? " was filled " : " were filled ");
+}
+
 /// Triangles that patches were made past: the rims that they hang at, and how many.
-void tell_strays(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+void report_detached(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   std::vector<Subject> subjects;
   std::size_t triangles = 0;
   for (const Hole& hole : result.analysis.holes) {
@@ -87,7 +91,7 @@ std::vector<Subject> filled_where(const PolyMesh& scan, const FillResult& result
   return subjects;
 }
 
-/// Holes of which the same is told.
+/// Holes about which the same is reported.
 using Alike = std::vector<std::pair<const HoleOutcome*, std::vector<Subject>>>;
 
 void add(const Subject& hole, const HoleOutcome& outcome, Alike& lists) {
@@ -102,7 +106,7 @@ void add(const Subject& hole, const HoleOutcome& outcome, Alike& lists) {
 }
 
 /// One warning for all holes that stay open, or were filled by another method, for one reason.
-void tell_failed(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+void report_failed(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   Alike failed, replaced;
   for (const Hole& hole : result.analysis.holes) {
     const HoleOutcome& outcome = result.outcomes[hole.id];
@@ -118,54 +122,45 @@ void tell_failed(const PolyMesh& scan, const FillResult& result, Findings& findi
     findings.push_back(make_warning(Category::Geometry, "W_HOLE_FAILED", sentence, std::move(holes)));
   }
   for (auto& [outcome, holes] : replaced) {
-    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled " +
-                                 option_of(outcome->method) + " instead (" + outcome->reason + "): look at the shape.";
+    const std::string sentence =
+        filled(holes) + option_of(outcome->method) + " instead (" + outcome->reason + "): look at the shape.";
     findings.push_back(make_warning(Category::Geometry, "W_FALLBACK", sentence, std::move(holes)));
   }
 }
 
 /// One warning for all of them.
-void tell_doubtful(std::vector<Subject> holes, const std::string& what, Findings& findings) {
+void report_doubtful(std::vector<Subject> holes, const std::string& what, Findings& findings) {
   if (holes.empty()) return;
-  const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") + " filled " + what;
+  const std::string sentence = filled(holes) + what;
   findings.push_back(make_warning(Category::Geometry, "W_LOW_CONFIDENCE", sentence, std::move(holes)));
 }
 
 /// Their shape is a guess, whatever the method.
-void tell_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
-  const auto is_flat = [](const HoleOutcome& o) {
-    constexpr std::array flat = {"minimal", "dihedral", "plane", "avoiding"};
-    return std::ranges::find(flat, o.method) != flat.end();
-  };
+void report_low_confidence(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+  const auto is_flat = [](const HoleOutcome& o) { return option_of(o.method) == "flat"; };
   // Flat patches meet rims at any angle: they were asked for, or are reported as taken instead.
   const auto is_folded = [](const HoleOutcome& o) {
     return o.max_normal_jump > doubtful_fold && o.method != "minimal";
   };
-  const auto tell = [&](bool flat, const char* what) {
+  const auto report = [&](bool flat, const char* what) {
     const auto is_low = [&](const HoleOutcome& o) {
       return o.confidence < low_confidence && is_flat(o) == flat && !is_folded(o);
     };
-    tell_doubtful(filled_where(scan, result, is_low), what, findings);
+    report_doubtful(filled_where(scan, result, is_low), what, findings);
   };
-  tell(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
-  tell(true, "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
-  tell_doubtful(filled_where(scan, result, is_folded),
-                "with a fold of more than 120 degrees at the rim: look at the rim, or trim it.", findings);
-}
-
-/// Of all places that faces use.
-Eigen::AlignedBox3d box_of(const PolyMesh& scan) {
-  Eigen::AlignedBox3d box;
-  for (const Index vertex : scan.corners) box.extend(scan.positions[vertex]);
-  return box;
+  report(false, "far from what the surface around them shows: look at the shape, or choose flat patches.");
+  report(true,
+         "by flat patches, which do not continue the surface around them: look at the shape, or leave them open.");
+  report_doubtful(filled_where(scan, result, is_folded),
+                  "with a fold of more than 120 degrees at the rim: look at the rim, or trim it.", findings);
 }
 
 /// Patches that lead out of the scan's box, where they make a side of it longer by over a twentieth.
-void tell_growth(const PolyMesh& scan, const FillResult& result, Findings& findings) {
+void report_growth(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   constexpr double greatest_growth = 0.05;
   constexpr double least_told = 0.01;  // × diagonal: flat scans have sides of next to no length
-  const Eigen::AlignedBox3d before = box_of(scan);
-  Eigen::AlignedBox3d after = before;
+  const Box before = box_of(scan.corners, [&](Index vertex) -> const Vec3& { return scan.positions[vertex]; });
+  Box after = before;
   for (const HoleOutcome& outcome : result.outcomes) after.extend(outcome.box);
   for (const int axis : {0, 1, 2}) {
     const double side = before.sizes()[axis], grown = after.sizes()[axis];
@@ -175,8 +170,7 @@ void tell_growth(const PolyMesh& scan, const FillResult& result, Findings& findi
       return !o.box.isEmpty() && (o.box.min()[axis] < before.min()[axis] || o.box.max()[axis] > before.max()[axis]);
     };
     std::vector<Subject> holes = filled_where(scan, result, leads_out);
-    const std::string sentence = names_of(holes) + (holes.size() == 1 ? " was" : " were") +
-                                 " filled beyond the box of " + "the scan, which grows along " + "xyz"[axis] +
+    const std::string sentence = filled(holes) + "beyond the box of the scan, which grows along " + "xyz"[axis] +
                                  " from " + rounded(side) + " to " + rounded(grown) +
                                  ": look at the shape, or choose flat patches.";
     findings.push_back(make_warning(Category::Geometry, "W_BOX_GROWN", sentence, std::move(holes)));
@@ -188,17 +182,16 @@ void tell_growth(const PolyMesh& scan, const FillResult& result, Findings& findi
 std::string option_of(std::string_view method) {
   if (method.starts_with("cgal")) return "smooth";
   if (method.starts_with("band")) return "bridged";
-  constexpr std::array<std::string_view, 5> flat = {"minimal", "dihedral", "plane", "avoiding", "zip"};
-  return std::ranges::find(flat, method) != flat.end() ? "flat" : "by rbf";
+  return method == "minimal" || method == "avoiding" ? "flat" : "by rbf";
 }
 
 Findings fill_findings(const PolyMesh& scan, const FillResult& result) {
   Findings findings = result.analysis.warnings;
-  tell_outer(scan, result, findings);
-  tell_strays(scan, result, findings);
-  tell_failed(scan, result, findings);
-  tell_low_confidence(scan, result, findings);
-  tell_growth(scan, result, findings);
+  report_outer(scan, result, findings);
+  report_detached(scan, result, findings);
+  report_failed(scan, result, findings);
+  report_low_confidence(scan, result, findings);
+  report_growth(scan, result, findings);
   return findings;
 }
 

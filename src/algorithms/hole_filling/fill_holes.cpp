@@ -2,23 +2,20 @@
 #include "croquis/hole_filling/fill_holes.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 
-#include "algorithms/hole_filling/patch_assembly.h"
-#include "algorithms/hole_filling/patch_climb.h"
+#include "algorithms/hole_filling/patch_making.h"
 #include "algorithms/hole_filling/rim_trimming.h"
-#include "algorithms/hole_filling/scan_numbers.h"
 #include "croquis/base/error.h"
 #include "croquis/base/parallel.h"
 #include "croquis/base/stage_key.h"
-#include "croquis/hole_filling/fill_findings.h"
-#include "croquis/hole_filling/fill_jobs.h"
 #include "croquis/hole_filling/hole_choice.h"
-#include "croquis/hole_filling/patch_confidence.h"
+#include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -53,134 +50,89 @@ bool begins_with(const List& list, const List& first) {
   return list.size() >= first.size() && std::equal(first.begin(), first.end(), list.begin());
 }
 
-class Filling {
- public:
-  Filling(const PolyMesh& mesh, const FillOptions& options)
-      : scan_(mesh), options_(options), key_(key_of(mesh, options)) {}
+HoleAnalysis analysed(const PolyMesh& scan, const FillOptions& options, const StageKey& key, Progress& progress) {
+  const auto make = [&] { return analyse_holes(scan, progress, options.analysis); };
+  if (options.cache == nullptr) return make();
+  return *cached<HoleAnalysis>(options.cache, "fill/analysis/1", key, make,
+                               [](const HoleAnalysis& analysis) { return bytes_of(analysis); });
+}
 
-  FillResult run(Progress& progress) {
-    Progress analysing = progress.step("analyse holes", 0.2);
-    result_.analysis = analysed(analysing);
-    const HoleChoice choice = choose_holes(result_.analysis.holes, options_);
-    std::vector<FillJob> jobs = make_jobs(result_.analysis.holes, options_, choice.is_chosen);
-    Progress trimming = progress.step("trim rims", 0.1);
-    trim(choice, trimming);
-    Progress filling = progress.step("fill holes", 0.7);
-    const ScanNumbers numbers(scan_, trimmed_.get(), analysis(), key_.bytes());
-    if (trimmed_)
-      jobs = moved_jobs(*trimmed_, jobs);
-    else if (!jobs.empty())
-      std::ranges::copy(waiting_jobs(result_.analysis.holes, options_, choice.is_border), std::back_inserter(jobs));
-    climbed_ = climb(mesh(), analysis(), jobs, options_, numbers, filling);
-    report_outcomes(choice, jobs);
-    assemble();
-    result_.warnings = fill_findings(scan_, result_);
-    progress.report(1);
-    return std::move(result_);
+/// Null where nothing is to be trimmed.
+std::shared_ptr<const TrimmedScan> trimmed_scan(const PolyMesh& scan, const HoleAnalysis& analysis,
+                                                const HoleChoice& choice, const FillOptions& options, StageKey key,
+                                                Progress& progress) {
+  const std::vector<int> rings = rings_to_trim(analysis.holes, options, choice.is_chosen);
+  if (std::ranges::all_of(rings, [](int count) { return count == 0; })) return nullptr;
+  return cached<TrimmedScan>(
+      options.cache, "fill/trimmed/1", key.add(rings),
+      [&] { return trim_rims(scan, analysis, rings, options.analysis, progress); },
+      [](const TrimmedScan& trimmed) { return bytes_of(trimmed); });
+}
+
+double widest_diagonal(const HoleAnalysis& analysis, const std::vector<Index>& holes) {
+  double widest = 0;
+  for (const Index hole : holes) widest = std::max(widest, analysis.component_diagonal[analysis.holes[hole].component]);
+  return widest;
+}
+
+/// Per hole of the analysis.
+/// @param number of the first patch
+std::vector<HoleOutcome> outcomes_of(const PolyMesh& mesh, const HoleAnalysis& analysis,
+                                     const std::vector<MadePatch>& all_made, const std::vector<FillJob>& jobs,
+                                     const FillOptions& options, Index number) {
+  std::vector<HoleOutcome> outcomes(analysis.holes.size());
+  for (const FillJob& job : jobs) {
+    for (const Index hole : job.detached) outcomes[hole].reason = hangs_at_rim;  // unless a patch joins it
   }
-
- private:
-  HoleAnalysis analysed(Progress& progress) const {
-    const auto make = [&] { return analyse_holes(scan_, progress, options_.analysis); };
-    if (options_.cache == nullptr) return make();
-    return *cached<HoleAnalysis>(options_.cache, "fill/analysis/1", key_, make,
-                                 [](const HoleAnalysis& analysis) { return bytes_of(analysis); });
-  }
-
-  void trim(const HoleChoice& choice, Progress& progress) {
-    const std::vector<int> rings = rings_to_trim(result_.analysis.holes, options_, choice.is_chosen);
-    if (std::ranges::all_of(rings, [](int count) { return count == 0; })) return;
-    StageKey key = key_;
-    key.add(rings);
-    trimmed_ = cached<TrimmedScan>(
-        options_.cache, "fill/trimmed/1", key,
-        [&] { return trim_rims(scan_, result_.analysis, rings, options_.analysis, progress); },
-        [](const TrimmedScan& trimmed) { return bytes_of(trimmed); });
-  }
-
-  /// What patches are made for: the scan, or what trimming leaves of it.
-  const PolyMesh& mesh() const { return trimmed_ ? trimmed_->part.mesh : scan_; }
-  const HoleAnalysis& analysis() const { return trimmed_ ? trimmed_->analysis : result_.analysis; }
-
-  void report_outcomes(const HoleChoice& choice, const std::vector<FillJob>& jobs) {
-    std::vector<HoleOutcome> outcomes(analysis().holes.size());
-    for (const FillJob& job : jobs) {
-      for (const Index stray : job.strays) outcomes[stray].reason = hangs_at_rim;  // unless a patch joins it
+  std::vector<double> confidences(all_made.size());
+  for_each_part(all_made.size(), 1, options.threads, [&](std::size_t i, std::size_t) {
+    if (all_made[i].patch) confidences[i] = confidence_of(*all_made[i].patch, mesh, analysis);
+  });
+  for (std::size_t i = 0; i < all_made.size(); ++i) {
+    const MadePatch& made = all_made[i];
+    HoleOutcome outcome = made.outcome;
+    if (made.patch) {
+      outcome.patch = number++;
+      outcome.confidence = confidences[i];
+      outcome.box = box_of(made.patch->points, std::identity());
+      if (options.preset == Preset::Sharp)
+        outcome.expected_error = error_at(outcome.confidence) * widest_diagonal(analysis, made.holes);
     }
-    std::vector<double> confidences(climbed_.size(), 0);
-    for_each_part(climbed_.size(), 1, options_.threads, [&](std::size_t i, std::size_t) {
-      if (climbed_[i].patch) confidences[i] = confidence_of(*climbed_[i].patch, mesh(), analysis());
-    });
-    Index number = next_patch_number(scan_);
-    for (std::size_t i = 0; i < climbed_.size(); ++i) {
-      const ClimbedJob& job = climbed_[i];
-      const HoleOutcome outcome = outcome_of(job, number, confidences[i]);
-      for (const Index hole : job.holes) outcomes[hole] = outcome;
-      if (!job.patch) continue;
-      ++number;
-      outcomes[job.holes.front()].new_vertices = job.patch->points.size();
-      outcomes[job.holes.front()].new_faces = job.patch->triangles.size();
-    }
-    if (trimmed_) outcomes = outcomes_before_trimming(*trimmed_, outcomes, choice.is_chosen);
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      if (!choice.is_chosen[i] && outcomes[i].action == FillAction::Leave) outcomes[i].reason = choice.reason[i];
-    }
-    result_.outcomes = std::move(outcomes);
-    count_domains();
+    for (const Index hole : made.holes) outcomes[hole] = outcome;
+    if (!made.patch) continue;
+    outcomes[made.holes.front()].new_vertices = made.patch->points.size();
+    outcomes[made.holes.front()].new_faces = made.patch->triangles.size();
   }
+  return outcomes;
+}
 
-  /// Of the patches that were taken.
-  void count_domains() {
-    std::vector<std::size_t> points;
-    for (const ClimbedJob& job : climbed_) {
-      if (job.patch) points.insert(points.end(), job.patch->domain_points.begin(), job.patch->domain_points.end());
-    }
-    if (points.empty()) return;
-    std::ranges::sort(points);
-    result_.domains = points.size();
-    result_.points_per_domain = {points.front(), points[points.size() / 2], points.back()};
+void count_domains(const std::vector<MadePatch>& all_made, FillResult& result) {
+  std::vector<std::size_t> points;
+  for (const MadePatch& made : all_made) {
+    if (made.patch) points.insert(points.end(), made.patch->domain_points.begin(), made.patch->domain_points.end());
   }
+  if (points.empty()) return;
+  std::ranges::sort(points);
+  result.domains = points.size();
+  result.points_per_domain = {points.front(), points[points.size() / 2], points.back()};
+}
 
-  static HoleOutcome outcome_of(const ClimbedJob& job, Index patch_number, double confidence) {
-    HoleOutcome outcome;
-    outcome.action = job.patch ? FillAction::Fill : FillAction::Failed;
-    outcome.reason = job.first_fault;
-    if (!job.patch) return outcome;
-    outcome.method = job.method;
-    outcome.max_normal_jump = job.verdict.max_normal_jump;
-    outcome.min_angle = job.verdict.min_angle;
-    outcome.confidence = confidence;
-    for (const Vec3& point : job.patch->points) outcome.box.extend(point);
-    outcome.expected_error = job.patch->expected_error;
-    outcome.patch = patch_number;
-    return outcome;
+void assemble(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<MadePatch> all_made,
+              const FillOptions& options, FillResult& result) {
+  std::vector<HolePatch> patches;
+  result.open_edges = analysis.view.rim_corners.size();
+  for (MadePatch& made : all_made) {
+    if (!made.patch) continue;
+    for (const Index hole : made.patch->holes) result.open_edges -= analysis.holes[hole].vertices.size();
+    patches.push_back(std::move(*made.patch));
   }
-
-  void assemble() {
-    std::vector<HolePatch> patches;
-    result_.open_edges = analysis().view.rim_corners.size();
-    for (ClimbedJob& job : climbed_) {
-      if (!job.patch) continue;
-      for (const Index hole : job.patch->holes) result_.open_edges -= analysis().holes[hole].vertices.size();
-      patches.push_back(std::move(*job.patch));
-    }
-    result_.mesh = append_patches(mesh(), analysis(), patches, options_.mark_patches, options_.threads);
-    result_.new_vertices = result_.mesh.vertex_count() - mesh().vertex_count();
-    result_.new_faces = result_.mesh.face_count() - mesh().face_count();
-    result_.removed_vertices = scan_.vertex_count() - mesh().vertex_count();
-    result_.removed_faces = scan_.face_count() - mesh().face_count();
-    result_.outside_unchanged = begins_with(result_.mesh.positions, mesh().positions) &&
-                                begins_with(result_.mesh.face_offsets, mesh().face_offsets) &&
-                                begins_with(result_.mesh.corners, mesh().corners);
-  }
-
-  const PolyMesh& scan_;
-  const FillOptions& options_;
-  StageKey key_;  ///< of the scan
-  std::shared_ptr<const TrimmedScan> trimmed_;
-  std::vector<ClimbedJob> climbed_;
-  FillResult result_;
-};
+  result.mesh = append_patches(mesh, analysis, patches, options.mark_patches, options.threads);
+  result.new_vertices = result.mesh.vertex_count() - mesh.vertex_count();
+  result.new_faces = result.mesh.face_count() - mesh.face_count();
+  result.outside_unchanged = begins_with(result.mesh.positions, mesh.positions) &&
+                             begins_with(result.mesh.face_offsets, mesh.face_offsets) &&
+                             begins_with(result.mesh.corners, mesh.corners);
+}
 
 void require_memory(const PolyMesh& mesh, const FillOptions& options) {
   if (options.memory_limit == 0) return;
@@ -227,9 +179,38 @@ const char* to_string(FillAction action) {
   return "";
 }
 
-FillResult fill_holes(const PolyMesh& mesh, const FillOptions& options, Progress& progress) {
-  require_memory(mesh, options);
-  return Filling(mesh, options).run(progress);
+FillResult fill_holes(const PolyMesh& scan, const FillOptions& options, Progress& progress) {
+  require_memory(scan, options);
+  const StageKey key = key_of(scan, options);
+  FillResult result;
+  Progress analysing = progress.step("analyse holes", 0.2);
+  result.analysis = analysed(scan, options, key, analysing);
+  const HoleChoice choice = choose_holes(result.analysis.holes, options);
+  std::vector<FillJob> jobs = make_jobs(result.analysis.holes, options, choice.is_chosen);
+  Progress trimming = progress.step("trim rims", 0.1);
+  const auto trimmed = trimmed_scan(scan, result.analysis, choice, options, key, trimming);
+  const PolyMesh& mesh = trimmed ? trimmed->part.mesh : scan;
+  const HoleAnalysis& analysis = trimmed ? trimmed->analysis : result.analysis;
+  Progress filling = progress.step("fill holes", 0.7);
+  if (trimmed)
+    jobs = moved_jobs(*trimmed, jobs);
+  else if (!jobs.empty())
+    std::ranges::copy(waiting_jobs(result.analysis.holes, options, choice.is_border), std::back_inserter(jobs));
+  const ScanNumbers numbers(scan, trimmed.get(), analysis, key.bytes());
+  std::vector<MadePatch> made = make_patches(mesh, analysis, jobs, options, numbers, filling);
+  result.outcomes = outcomes_of(mesh, analysis, made, jobs, options, next_patch_number(scan));
+  if (trimmed) result.outcomes = outcomes_before_trimming(*trimmed, result.outcomes, choice.is_chosen);
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    HoleOutcome& outcome = result.outcomes[i];
+    if (!choice.is_chosen[i] && outcome.action == FillAction::Leave) outcome.reason = choice.reason[i];
+  }
+  count_domains(made, result);
+  result.removed_vertices = scan.vertex_count() - mesh.vertex_count();
+  result.removed_faces = scan.face_count() - mesh.face_count();
+  assemble(mesh, analysis, std::move(made), options, result);
+  result.warnings = fill_findings(scan, result);
+  progress.report(1);
+  return result;
 }
 
 }  // namespace croquis::hole_filling

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/patch_assembly.h"
-
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -12,10 +11,11 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/fairing/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/fairing.h"
+#include "algorithms/hole_filling/patch_making.h"
 #include "croquis/base/parallel.h"
-#include "croquis/hole_filling/channel_names.h"
-#include "croquis/hole_filling/patch_confidence.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -27,7 +27,7 @@ struct Placed {
 };
 
 /// A copy of the mesh that doesn't move when the patches come.
-PolyMesh with_room_for(std::span<const HolePatch> patches, const PolyMesh& mesh) {
+PolyMesh with_space_for(std::span<const HolePatch> patches, const PolyMesh& mesh) {
   std::size_t points = 0, triangles = 0;
   for (const HolePatch& patch : patches) points += patch.points.size(), triangles += patch.triangles.size();
   PolyMesh copy;
@@ -64,23 +64,23 @@ T stored(double value) {
 template <typename T>
 constexpr T none = std::is_floating_point_v<T> ? std::numeric_limits<T>::quiet_NaN() : T{0};
 
-constexpr double channel_accuracy = 1e-7;  // a float's digits
-
-/// Values of one component of a vertex channel for a patch's new vertices.
+/// Values of a vertex channel for a patch's new vertices: continued from its rims, or the first of them for categories.
 template <typename T>
-void continue_component(const PatchGraph& graph, std::size_t width, std::size_t component, const Placed& placed,
-                        std::vector<T>& values, bool is_category) {
-  std::vector<double> known;
-  for (const Index vertex : graph.rim_vertices())
-    known.push_back(static_cast<double>(values[vertex * width + component]));
-  if (is_category) {
-    for (std::size_t i = 0; i < placed.patch->points.size(); ++i)
-      values[(placed.first_vertex + i) * width + component] = values[graph.rim_vertices().front() * width + component];
-    return;
+void continue_values(const HarmonicValues& graph, std::size_t width, const Placed& placed, std::vector<T>& values,
+                     bool is_category) {
+  const std::span<const Index> rim = graph.rim_vertices();
+  Eigen::MatrixXd known(std::ssize(rim), static_cast<Eigen::Index>(width));
+  const auto count = std::ssize(placed.patch->points);
+  for (Eigen::Index i = 0; i < known.rows(); ++i) {
+    for (Eigen::Index k = 0; k < known.cols(); ++k)
+      known(i, k) = static_cast<double>(values[rim[static_cast<std::size_t>(i)] * width + static_cast<std::size_t>(k)]);
   }
-  const std::vector<double> found = graph.harmonic(known, channel_accuracy);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    values[(placed.first_vertex + i) * width + component] = stored<T>(found[i]);
+  const Eigen::MatrixXd found =
+      is_category ? Eigen::MatrixXd(known.row(0).replicate(count, 1)) : graph.continued(known);
+  auto value = values.begin() + static_cast<std::ptrdiff_t>(placed.first_vertex * width);
+  for (Eigen::Index i = 0; i < found.rows(); ++i) {
+    for (Eigen::Index k = 0; k < found.cols(); ++k) *value++ = stored<T>(found(i, k));
+  }
 }
 
 /// Unit normals of the new vertices by the patch's own faces, weighted by area.
@@ -102,8 +102,8 @@ void compute_normals(const PolyMesh& mesh, const Placed& placed, std::vector<T>&
   }
 }
 
-void continue_vertex_channel(const PolyMesh& mesh, std::span<const Placed> placed, std::span<const PatchGraph> graphs,
-                             AttributeChannel& channel) {
+void continue_vertex_channel(const PolyMesh& mesh, std::span<const Placed> placed,
+                             const std::deque<HarmonicValues>& graphs, AttributeChannel& channel) {
   std::visit(
       [&](auto& values) {
         using T = typename std::remove_reference_t<decltype(values)>::value_type;
@@ -111,12 +111,10 @@ void continue_vertex_channel(const PolyMesh& mesh, std::span<const Placed> place
         values.resize(mesh.vertex_count() * width, T{});
         for (std::size_t p = 0; p < placed.size(); ++p) {
           if (placed[p].patch->points.empty()) continue;
-          if (channel.name == "normal" && width == 3 && std::is_floating_point_v<T>) {
+          if (channel.name == "normal" && width == 3 && std::is_floating_point_v<T>)
             compute_normals(mesh, placed[p], values);
-            continue;
-          }
-          for (std::size_t component = 0; component < width; ++component)
-            continue_component(graphs[p], width, component, placed[p], values, !channel.labels.empty());
+          else
+            continue_values(graphs[p], width, placed[p], values, !channel.labels.empty());
         }
       },
       channel.data);
@@ -170,8 +168,8 @@ void number_patches(PolyMesh& mesh, Index first_number, std::span<const Placed> 
 }
 
 /// A scanner's own confidence, where it is a floating number, goes on in ours.
-void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& analysis,
-                     std::span<const Placed> placed, int threads) {
+void report_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& analysis,
+                       std::span<const Placed> placed, int threads) {
   AttributeChannel* channel = grown.channel(confidence_channel, Domain::Vertex);
   if (channel == nullptr) {
     grown.channels.push_back(
@@ -198,14 +196,14 @@ void tell_confidence(PolyMesh& grown, const PolyMesh& mesh, const HoleAnalysis& 
 
 PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const HolePatch> patches,
                         bool mark_patches, int threads) {
-  PolyMesh grown = with_room_for(patches, mesh);
+  PolyMesh grown = with_space_for(patches, mesh);
   std::vector<Placed> placed;
   for (const HolePatch& patch : patches) {
     placed.push_back({&patch, static_cast<Index>(grown.vertex_count()), static_cast<Index>(grown.face_count())});
     append_elements(grown, static_cast<Index>(mesh.vertex_count()), patch);
   }
   if (patches.empty()) return grown;
-  std::vector<PatchGraph> graphs;
+  std::deque<HarmonicValues> graphs;  // which can't be moved
   for (AttributeChannel& channel : grown.channels) {
     if (channel.domain == Domain::Vertex && graphs.empty()) {
       for (const HolePatch& patch : patches) graphs.emplace_back(patch, static_cast<Index>(mesh.vertex_count()));
@@ -216,7 +214,7 @@ PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std:
   }
   if (!mark_patches) return grown;
   number_patches(grown, next_patch_number(mesh), placed);
-  tell_confidence(grown, mesh, analysis, placed, threads);
+  report_confidence(grown, mesh, analysis, placed, threads);
   return grown;
 }
 

@@ -10,7 +10,7 @@
 
 #include <malloc.h>
 
-#include "algorithms/hole_filling/triangulation/edge_pairing.h"
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"
 #include "bench/scans/bench_holes.h"

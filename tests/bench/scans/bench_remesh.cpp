@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/remeshing/remesh_plan.h"
+#include "algorithms/remeshing/memory.h"
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/peak_memory.h"

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "croquis/base/error.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::hole_filling {
 namespace {
@@ -40,13 +42,16 @@ void require_known(std::span<const Hole> holes, const FillOptions& options) {
   if (!findings.empty()) throw Error(std::move(findings));
 }
 
+/// Sets anything of the patch's shape, which then isn't flat.
+bool shapes(const HoleRequest& request) {
+  return request.fairness || request.kernel || request.bulge || !request.through.empty();
+}
+
 /// What requests set for each hole: filled, left open, or nothing.
 std::vector<std::optional<bool>> asked_for(std::size_t hole_count, std::span<const HoleRequest> requests) {
   std::vector<std::optional<bool>> asked(hole_count);
   for (const HoleRequest& request : requests) {
-    const bool shapes =
-        request.bridge || request.fairness || request.kernel || request.bulge || !request.through.empty();
-    if (!request.fill && !shapes) continue;
+    if (!request.fill && !request.bridge && !shapes(request)) continue;
     for (const Index hole : request.holes) asked[hole] = request.fill.value_or(true);
   }
   return asked;
@@ -81,6 +86,37 @@ std::vector<Naming> named_by_options(std::span<const Hole> holes, const FillOpti
   return named;
 }
 
+/// A loose triangle's rim, and that of up to four.
+constexpr std::size_t most_stray_edges = 6;
+
+/// Rims that requests bridge, those that stay open left out; true for each of them.
+std::vector<bool> bridge_rims(const FillOptions& options, const std::vector<bool>& is_chosen, DisjointSets& together) {
+  std::vector<bool> bridged(is_chosen.size(), false);
+  for (const HoleRequest& request : options.requests) {
+    if (!request.bridge) continue;
+    std::vector<Index> rims;
+    std::copy_if(request.holes.begin(), request.holes.end(), std::back_inserter(rims),
+                 [&](Index hole) { return is_chosen[hole]; });
+    if (rims.size() < 2) continue;
+    for (const Index rim : rims) {
+      together.unite(rims.front(), rim);
+      bridged[rim] = true;
+    }
+  }
+  return bridged;
+}
+
+bool names_any(const HoleRequest& request, const std::vector<Index>& holes) {
+  return std::ranges::find_first_of(request.holes, holes) != request.holes.end();
+}
+
+void apply(const HoleRequest& request, PatchSettings& settings) {
+  if (request.fairness) settings.fairness = *request.fairness;
+  if (request.kernel) settings.implicit.kernel = *request.kernel;
+  if (request.bulge) settings.bulge = *request.bulge;
+  if (!request.through.empty()) settings.through = request.through;
+}
+
 }  // namespace
 
 std::vector<Naming> named_holes(std::span<const HoleSize> holes, Selection selection, double max_diameter) {
@@ -106,14 +142,85 @@ HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options)
   HoleChoice choice{std::vector<bool>(holes.size(), true), std::vector<std::string>(holes.size()),
                     std::vector<bool>(holes.size(), false)};
   for (const Hole& hole : holes) {
-    const auto& told = asked[hole.id];
-    const char* reason = told ? (*told ? nullptr : "asked to stay open") : reason_of(named[hole.id]);
+    const auto& given = asked[hole.id];
+    const char* reason = given ? (*given ? nullptr : "asked to stay open") : reason_of(named[hole.id]);
     if (reason == nullptr) continue;
     choice.is_chosen[hole.id] = false;
     choice.reason[hole.id] = reason;
-    choice.is_border[hole.id] = !told && named[hole.id] == Naming::Border;
+    choice.is_border[hole.id] = !given && named[hole.id] == Naming::Border;
   }
   return choice;
+}
+
+std::vector<FillJob> make_jobs(std::span<const Hole> holes, const FillOptions& options,
+                               const std::vector<bool>& is_chosen) {
+  DisjointSets together(holes.size());
+  const std::vector<bool> bridged = bridge_rims(options, is_chosen, together);
+  for (const Hole& hole : holes) {
+    for (const Index other : hole.companions) {
+      const bool both = is_chosen[hole.id] && is_chosen[other];
+      if (both && !bridged[hole.id] && !bridged[other]) together.unite(hole.id, other);
+    }
+  }
+  const bool takes_outer = options.selection == Selection::All || options.selection == Selection::AllButLargest;
+  std::vector<FillJob> jobs;
+  for (std::vector<Index>& group : together.lists()) {
+    const Index first = group.front();
+    if (!is_chosen[first]) continue;
+    FillJob job{std::move(group), {options.fairness, options.implicit, options.bulge, {}}, bridged[first], false};
+    const bool is_named = std::ranges::find(options.only, first) != options.only.end();
+    job.is_cap = options.flat_caps && holes[first].kind == HoleClass::Outer && !job.bridge && !is_named;
+    for (const HoleRequest& request : options.requests) {
+      if (!names_any(request, job.holes)) continue;
+      apply(request, job.settings);
+      if (shapes(request) || (request.fill == true && !takes_outer)) job.is_cap = false;
+    }
+    if (!job.bridge) job.detached = detached_among(holes, job.holes);
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::vector<FillJob> waiting_jobs(std::span<const Hole> holes, const FillOptions& options,
+                                  const std::vector<bool>& is_border) {
+  std::vector<FillJob> jobs;
+  for (const Hole& hole : holes) {
+    if (!is_border[hole.id]) continue;
+    jobs.push_back({{hole.id}, {options.fairness, options.implicit, options.bulge, {}}, false, false, true});
+  }
+  return jobs;
+}
+
+std::vector<Index> detached_among(std::span<const Hole> all, const std::vector<Index>& group) {
+  const Index largest = *std::ranges::max_element(group, {}, [&](Index hole) { return all[hole].diameter; });
+  std::vector<Index> detached;
+  for (const Index id : group) {
+    const Hole& hole = all[id];
+    const bool hangs = hole.kind == HoleClass::Islands && hole.shares_vertex;
+    if (hangs && id != largest && hole.vertices.size() <= most_stray_edges) detached.push_back(id);
+  }
+  return detached;
+}
+
+FillJob without_detached(const FillJob& job) {
+  FillJob rest = job;
+  rest.holes.clear();
+  rest.detached.clear();
+  std::ranges::set_difference(job.holes, job.detached, std::back_inserter(rest.holes));
+  return rest;
+}
+
+std::vector<int> rings_to_trim(std::span<const Hole> holes, const FillOptions& options,
+                               const std::vector<bool>& is_chosen) {
+  std::vector<int> rings(holes.size(), options.trim_rim);
+  for (const HoleRequest& request : options.requests) {
+    if (!request.trim_rim) continue;
+    for (const Index hole : request.holes) rings[hole] = *request.trim_rim;
+  }
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (!is_chosen[i]) rings[i] = 0;
+  }
+  return rings;
 }
 
 }  // namespace croquis::hole_filling

@@ -1,43 +1,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/analysis/rim_walk.h"
-
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
+#include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/analysis/fan_order.h"
+#include "algorithms/hole_filling/analysis/analysis_steps.h"
+#include "algorithms/hole_filling/analysis/sorted_lists.h"
 #include "algorithms/hole_filling/triangulation/cancel_check.h"
+#include "croquis/geometry/vector.h"
 
 namespace croquis::hole_filling {
 namespace {
+
+/// One of several fans of triangles that meet in a vertex alone.
+struct Petal {
+  Vec3 first;   ///< from the vertex along the rim edge that leaves it: the fan lies to its left
+  Vec3 last;    ///< from the vertex along the rim edge that arrives, backwards: the fan lies to its right
+  Vec3 normal;  ///< of the fan, any length
+};
+
+/// Fans turned further than this from their mean normal (60 degrees) aren't seen as lying in one surface.
+constexpr double least_fan_agreement = 0.5;
+
+/// Where petals begin and end, as angles counter-clockwise from the first one's beginning.
+struct FanExtent {
+  double begin, end;
+  std::size_t petal;
+};
+
+double turn_between(const Vec3& from, const Vec3& to, const Vec3& axis) {
+  const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to) - from.dot(axis) * to.dot(axis));
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+/// For each petal the next one counter-clockwise, whose `first` bounds the same gap as its `last`; nothing when the
+/// petals don't lie around the vertex one after another, seen along their mean normal.
+std::vector<std::size_t> petal_across_gap(std::span<const Petal> petals) {
+  Vec3 axis = Vec3::Zero();
+  for (const Petal& petal : petals) axis += petal.normal.normalized();
+  axis.normalize();
+  std::vector<FanExtent> around;
+  for (std::size_t i = 0; i < petals.size(); ++i) {
+    if (!(petals[i].normal.normalized().dot(axis) > least_fan_agreement)) return {};
+    const double begin = i == 0 ? 0 : turn_between(petals[0].first, petals[i].first, axis);
+    around.push_back({begin, begin + turn_between(petals[i].first, petals[i].last, axis), i});
+  }
+  std::sort(around.begin(), around.end(), [](const FanExtent& a, const FanExtent& b) { return a.begin < b.begin; });
+  std::vector<std::size_t> across(petals.size());
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const bool is_last = i + 1 == around.size();
+    const double limit = is_last ? 2 * std::numbers::pi : around[i + 1].begin;
+    if (!(around[i].end < limit)) return {};
+    across[around[i].petal] = around[is_last ? 0 : i + 1].petal;
+  }
+  return across;
+}
 
 /// One end of a rim edge: 2 × place in rim_corners, + 1 for the target.
 using End = Index;
 
 class RimWalk {
  public:
-  RimWalk(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress)
-      : view_(view), positions_(positions), cancel_(progress), partner_(2 * view.rim_corners.size(), no_index) {}
+  RimWalk(const PolyMesh& mesh, HoleAnalysis& analysis, Progress& progress)
+      : analysis_(analysis),
+        view_(analysis.view),
+        positions_(mesh.positions),
+        cancel_(progress),
+        partner_(2 * view_.rim_corners.size(), no_index),
+        visited_(view_.rim_corners.size(), 0),
+        place_(mesh.vertex_count(), no_index) {}
 
-  RimCycles run() {
+  void run() {
     link_around_vertices();
     link_across_gaps();
     link_dead_ends();
-    visited_.assign(view_.rim_corners.size(), 0);
-    place_.assign(view_.representative.empty() ? vertex_bound() : view_.representative.size(), no_index);
     for (End end = 0; end < partner_.size(); ++end) {
       if (partner_[end] != no_index || visited_[end / 2] != 0) continue;
-      ++result_.open_rims;
+      ++analysis_.open_rims;
       walk_from(end);
     }
     for (Index edge = 0; edge < visited_.size(); ++edge) {
       if (visited_[edge] == 0) walk_from(2 * edge);
     }
-    return std::move(result_);
   }
 
  private:
@@ -46,19 +98,8 @@ class RimWalk {
     bool forward;
   };
 
-  Index vertex_bound() const {
-    Index bound = 0;
-    for (const Index corner : view_.rim_corners) bound = std::max({bound, view_.origin(corner), view_.target(corner)});
-    return bound + 1;
-  }
-
   Index corner(End end) const { return view_.rim_corners[end / 2]; }
   Index vertex(End end) const { return end % 2 == 0 ? view_.origin(corner(end)) : view_.target(corner(end)); }
-
-  Index place_of(Index rim_corner) const {
-    const auto found = std::lower_bound(view_.rim_corners.begin(), view_.rim_corners.end(), rim_corner);
-    return static_cast<Index>(found - view_.rim_corners.begin());
-  }
 
   /// The end that one arrives at by turning around the end's vertex through its triangles, or no_index at a
   /// non-manifold edge.
@@ -70,7 +111,7 @@ class RimWalk {
       edge = view_.other_edge_at(view_.opposite[edge], pivot);
     }
     if (view_.opposite[edge] == nonmanifold_edge) return no_index;
-    return 2 * place_of(edge) + (view_.origin(edge) == pivot ? 0 : 1);
+    return 2 * place_in(view_.rim_corners, edge) + (view_.origin(edge) == pivot ? 0 : 1);
   }
 
   void link_around_vertices() {
@@ -119,8 +160,7 @@ class RimWalk {
     const Index pivot = vertex(end);
     Vec3 sum = Vec3::Zero();
     for (Index edge = corner(end);;) {
-      const auto& t = view_.triangles[edge / 3];
-      sum += (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
+      sum += view_.normal(edge / 3, positions_);
       edge = view_.other_edge_at(edge, pivot);
       if (!view_.has_opposite(edge)) return sum;
       edge = view_.opposite[edge];
@@ -169,19 +209,20 @@ class RimWalk {
   }
 
   void emit_from(std::size_t first) {
-    RimCycle cycle;
+    Hole hole;
     std::size_t backward = 0;
     for (std::size_t i = first; i < stack_.size(); ++i) {
-      cycle.corners.push_back(stack_[i].corner);
-      cycle.vertices.push_back(stack_[i].vertex);
+      hole.corners.push_back(stack_[i].corner);
+      hole.vertices.push_back(stack_[i].vertex);
       if (!stack_[i].forward) ++backward;
       place_[stack_[i].vertex] = no_index;
     }
     stack_.resize(first);
-    cycle.ambiguous = backward > 0;
-    if (cycle.corners.size() >= 3) result_.cycles.push_back(std::move(cycle));
+    hole.ambiguous = backward > 0;
+    if (hole.corners.size() >= 3) analysis_.holes.push_back(std::move(hole));
   }
 
+  HoleAnalysis& analysis_;
   const SurfaceView& view_;
   std::span<const Vec3> positions_;
   CancelCheck cancel_;
@@ -189,13 +230,12 @@ class RimWalk {
   std::vector<std::uint8_t> visited_;  ///< per rim edge
   std::vector<Index> place_;           ///< per vertex, in stack_
   std::vector<Step> stack_;
-  RimCycles result_;
 };
 
 }  // namespace
 
-RimCycles walk_rims(const SurfaceView& view, std::span<const Vec3> positions, Progress& progress) {
-  return RimWalk(view, positions, progress).run();
+void walk_rims(const PolyMesh& mesh, HoleAnalysis& analysis, Progress& progress) {
+  RimWalk(mesh, analysis, progress).run();
 }
 
 }  // namespace croquis::hole_filling

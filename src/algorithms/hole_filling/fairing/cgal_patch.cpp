@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/hole_filling/fairing/cgal_patch.h"
-
+// The only code that calls CGAL to fill holes.
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -14,6 +13,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include "algorithms/hole_filling/fairing/fairing.h"
 #include "croquis/base/error.h"
 
 namespace croquis::hole_filling {
@@ -74,21 +74,19 @@ std::optional<FairingResult> refine_and_fair(const FairingInput& input, const Pr
   pmp::refine(local.mesh, local.patch, std::back_inserter(new_faces), std::back_inserter(new_vertices),
               CGAL::parameters::density_control_factor(input.density));
   local.patch.insert(local.patch.end(), new_faces.begin(), new_faces.end());
-  for (int round = 0; round < input.rounds && !new_vertices.empty(); ++round) {
-    progress.check();
-    if (!pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(input.continuity)))
-      return std::nullopt;
-  }
+  progress.check();
+  if (!new_vertices.empty() && !pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(1U)))
+    return std::nullopt;
   return read_back(input, local);
 }
 
 }  // namespace
 
-std::vector<Triangle> cgal_delaunay_triangles(std::span<const Vec3> points) {
+Triangles cgal_delaunay_triangles(std::span<const Vec3> points) {
   std::vector<std::pair<Point, Index>> numbered;
   for (const Vec3& point : points) numbered.emplace_back(to_point(point), static_cast<Index>(numbered.size()));
   const Delaunay tetrahedra(numbered.begin(), numbered.end());
-  std::vector<Triangle> triangles;
+  Triangles triangles;
   if (tetrahedra.dimension() < 2) return triangles;
   for (const auto& [cell, opposite] : tetrahedra.finite_facets()) {
     Triangle t{};

@@ -5,12 +5,13 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include <Eigen/Geometry>
-
+#include "algorithms/hole_filling/analysis/box_search.h"
 #include "croquis/base/progress.h"
+#include "croquis/hole_filling/hole_patch.h"
 #include "croquis/hole_filling/hole_site.h"
 
 namespace croquis::hole_filling {
@@ -19,10 +20,8 @@ namespace croquis::hole_filling {
 /// a tree of boxes is made, which costs about as much as these and makes each further one cheap. Thread-safe.
 class SurfaceSearch {
  public:
-  using Box = Eigen::AlignedBox3d;
-
   /// Keeps references.
-  SurfaceSearch(const PolyMesh& mesh, const SurfaceView& view) : mesh_(mesh), view_(view) {}
+  SurfaceSearch(const PolyMesh& mesh, const SurfaceView& view) : box_of_{mesh, view} {}
 
   /// Triangles whose boxes meet the box, ascending.
   std::vector<Index> near(const Box& box) const;
@@ -31,23 +30,24 @@ class SurfaceSearch {
   std::size_t boxes_looked_at() const { return looked_at_; }
 
  private:
-  Box box_of(Index triangle) const;
-  std::vector<Index> near_by_looking_at_all(const Box& box) const;
-  void make_tree() const;
-  /// @return how many boxes it looked at
-  std::size_t descend(std::size_t level, std::size_t node, const Box& box, std::vector<Index>& found) const;
+  struct BoxOfTriangle {
+    const PolyMesh& mesh;
+    const SurfaceView& view;
 
-  const PolyMesh& mesh_;
-  const SurfaceView& view_;
+    Box operator()(Index triangle) const {
+      return box_of(view.triangles[triangle], [&](Index vertex) -> const Vec3& { return mesh.positions[vertex]; });
+    }
+  };
+
+  const BoxOfTriangle box_of_;
   mutable std::atomic<std::size_t> questions_ = 0;
   mutable std::atomic<std::size_t> looked_at_ = 0;
   mutable std::once_flag made_;
-  mutable std::vector<Index> order_;              ///< triangles, neighbours mostly behind one another
-  mutable std::vector<std::vector<Box>> levels_;  ///< around eights of triangles, of the level before, up to one
+  mutable std::optional<BoxSearch<BoxOfTriangle>> tree_;
 };
 
 /// Of the site's surface, by its search, or where it has none by one of its own.
-std::vector<Index> triangles_near(const HoleSite& site, const SurfaceSearch::Box& box);
+std::vector<Index> triangles_near(const HoleSite& site, const Box& box);
 
 /// A triangle of a patch that meets something where it shouldn't.
 struct Clash {
@@ -58,7 +58,7 @@ struct Clash {
 /// The part of a surface within a box, for asking again and again what patches would cut.
 class NearScene {
  public:
-  NearScene(const HoleSite& site, const Eigen::AlignedBox3d& box);
+  NearScene(const HoleSite& site, const Box& box);
 
   /// @param points    new vertices, numbered behind those of the mesh
   /// @param triangles within the box
@@ -82,5 +82,15 @@ class NearScene {
   std::vector<Index> vertices_;  ///< of the view, sorted, per vertex of the scene
   PolyMesh scene_;
 };
+
+/// Whether an edge of the site's rims goes through a triangle of the surface: every patch has a triangle at that edge,
+/// so none can be sound. False where rounding leaves it open. Near-linear in the rims and what lies near them.
+bool rims_cross_surface(const HoleSite& site);
+
+/// Flips edges of a patch's triangles that meet something they shouldn't, wherever a flip leaves fewer such pairs; for
+/// the few triangles that a faired patch runs into a rough rim with. At most 300 flips are looked at.
+/// @return whether nothing meets any more
+/// @throws Cancelled
+bool untangle(const HoleSite& site, HolePatch& patch, Progress& progress);
 
 }  // namespace croquis::hole_filling

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/hole_filling/patch_confidence.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +6,14 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/hole_filling/fairing/harmonic_values.h"
+#include "algorithms/hole_filling/fairing/fairing.h"
+#include "croquis/hole_filling/hole_patch.h"
 #include "croquis/implicit/point_tree.h"
 
 namespace croquis::hole_filling {
 namespace {
 
-constexpr double jump_accuracy = 1e-3;  // more than a colour shows
+constexpr double doubtful_error = 0.01;  ///< × diagonal: trusted by a half
 
 /// What distances are measured from, and in what.
 struct Rims {
@@ -74,78 +73,33 @@ void add_edge_points(const HolePatch& patch, const PolyMesh& mesh, const HoleAna
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
-/// How a patch meets the faces beyond its rims.
-class RimFolds {
- public:
-  RimFolds(const HolePatch& patch, const PolyMesh& mesh, const SurfaceView& view)
-      : patch_(patch), mesh_(mesh), view_(view) {
-    for (const auto& t : patch.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (std::max(t[i], t[(i + 1) % 3]) < mesh.vertex_count())
-          sides_.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+/// Of stretches of a sixteenth of a rim, four edges at least: the mean of how far each turns, by length.
+double mean_fold(const std::vector<std::vector<RimFold>>& folds) {
+  double turned = 0, length = 0;
+  for (const std::vector<RimFold>& along : folds) {
+    const std::size_t stretch = std::max<std::size_t>(4, along.size() / 16);
+    for (std::size_t first = 0; first < along.size(); first += stretch) {
+      double sum = 0;
+      for (std::size_t i = first; i < std::min(first + stretch, along.size()); ++i) {
+        sum += along[i].length * along[i].angle;
+        length += along[i].length;
       }
+      turned += std::abs(sum);
     }
-    std::sort(sides_.begin(), sides_.end());
   }
-
-  /// Of stretches of a sixteenth of a rim, four edges at least: the mean of how far each turns, by length.
-  double mean(const HoleAnalysis& analysis) const {
-    double turned = 0, length = 0;
-    for (const Index id : patch_.holes) {
-      const Hole& hole = analysis.holes[id];
-      const std::size_t stretch = std::max<std::size_t>(4, hole.vertices.size() / 16);
-      for (std::size_t first = 0; first < hole.vertices.size(); first += stretch) {
-        double sum = 0;
-        for (std::size_t i = first; i < std::min(first + stretch, hole.vertices.size()); ++i) {
-          const Index a = hole.vertices[i], b = hole.vertices[(i + 1) % hole.vertices.size()];
-          const double edge = (mesh_.positions[b] - mesh_.positions[a]).norm();
-          sum += edge * fold(a, b, hole.corners[i]);
-          length += edge;
-        }
-        turned += std::abs(sum);
-      }
-    }
-    return length > 0 ? turned / length : 0;
-  }
-
-  /// The angle across the rim edge from a to b, which the patch runs along from b to a: negative where it turns to the
-  /// inner side; 0 where the patch isn't there.
-  double fold(Index a, Index b, Index corner) const {
-    const auto side = std::lower_bound(sides_.begin(), sides_.end(), std::array<Index, 3>{b, a, 0});
-    if (side == sides_.end() || (*side)[0] != b || (*side)[1] != a) return 0;
-    const auto& t = view_.triangles[corner / 3];
-    const Vec3 given = normal_of(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]);
-    const Vec3 made = normal_of(at(b), at(a), at((*side)[2]));
-    const double angle = angle_between(given, made);
-    return given.cross(made).dot(at(b) - at(a)) < 0 ? -angle : angle;
-  }
-
- private:
-  const Vec3& at(Index v) const {
-    const auto given = static_cast<Index>(mesh_.vertex_count());
-    return v < given ? mesh_.positions[v] : patch_.points[v - given];
-  }
-
-  const HolePatch& patch_;
-  const PolyMesh& mesh_;
-  const SurfaceView& view_;
-  std::vector<std::array<Index, 3>> sides_;  ///< of edges between rim vertices: from, to, the corner across; sorted
-};
+  return length > 0 ? turned / length : 0;
+}
 
 /// Per rim vertex of the patch the greatest angle across the rim's edges there.
-std::vector<double> rim_jumps(const HolePatch& patch, const RimFolds& folds, const HoleAnalysis& analysis,
-                              std::span<const Index> rim) {
-  std::vector<double> jumps(rim.size(), 0);
-  for (const Index id : patch.holes) {
-    const Hole& hole = analysis.holes[id];
-    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
-      const Index a = hole.vertices[i], b = hole.vertices[(i + 1) % hole.vertices.size()];
-      const double jump = std::abs(folds.fold(a, b, hole.corners[i]));
-      for (const Index end : {a, b}) {
-        const auto place = std::lower_bound(rim.begin(), rim.end(), end);
+Eigen::VectorXd rim_jumps(const std::vector<std::vector<RimFold>>& folds, std::span<const Index> rim) {
+  Eigen::VectorXd jumps = Eigen::VectorXd::Zero(std::ssize(rim));
+  for (const std::vector<RimFold>& along : folds) {
+    for (const RimFold& fold : along) {
+      for (const Index end : {fold.from, fold.to}) {
+        const auto place = std::ranges::lower_bound(rim, end);
         if (place == rim.end() || *place != end) continue;
-        double& known = jumps[static_cast<std::size_t>(place - rim.begin())];
-        known = std::max(known, jump);
+        double& known = jumps[place - rim.begin()];
+        known = std::max(known, std::abs(fold.angle));
       }
     }
   }
@@ -159,11 +113,8 @@ bool is_needle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// The greatest angle between neighbouring faces of a patch, across its rims too; needles are left out.
-double sharpest_fold(const HolePatch& patch, const PolyMesh& mesh, const HoleAnalysis& analysis,
-                     const RimFolds& folds) {
-  const auto at = [&](Index v) -> const Vec3& {
-    return v < mesh.vertex_count() ? mesh.positions[v] : patch.points[v - mesh.vertex_count()];
-  };
+double sharpest_fold(const HolePatch& patch, const PolyMesh& mesh, const std::vector<std::vector<RimFold>>& folds) {
+  const auto at = [&](Index v) -> const Vec3& { return place_of(patch, mesh, v); };
   std::vector<std::array<Index, 3>> edges;  // low end, high end, triangle
   for (Index t = 0; t < patch.triangles.size(); ++t) {
     const auto& [a, b, c] = patch.triangles[t];
@@ -183,12 +134,8 @@ double sharpest_fold(const HolePatch& patch, const PolyMesh& mesh, const HoleAna
     if (edges[i - 1][0] == edges[i][0] && edges[i - 1][1] == edges[i][1])
       sharpest = std::max(sharpest, angle_between(normal_at(edges[i - 1]), normal_at(edges[i])));
   }
-  for (const Index id : patch.holes) {
-    const Hole& hole = analysis.holes[id];
-    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
-      const Index next = hole.vertices[(i + 1) % hole.vertices.size()];
-      sharpest = std::max(sharpest, std::abs(folds.fold(hole.vertices[i], next, hole.corners[i])));
-    }
+  for (const std::vector<RimFold>& along : folds) {
+    for (const RimFold& fold : along) sharpest = std::max(sharpest, std::abs(fold.angle));
   }
   return sharpest;
 }
@@ -202,10 +149,9 @@ double turn_of_ways(const HolePatch& patch, const PolyMesh& mesh, const HoleAnal
     Vec3 sum = Vec3::Zero();
     double length = 0;
     for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
-      const auto& t = analysis.view.triangles[hole.corners[i] / 3];
       const Vec3 edge =
           mesh.positions[hole.vertices[(i + 1) % hole.vertices.size()]] - mesh.positions[hole.vertices[i]];
-      const Vec3 normal = normal_of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      const Vec3 normal = analysis.view.normal(hole.corners[i] / 3, mesh.positions);
       const double area = normal.norm();
       if (area > 0) sum += edge.cross(normal) / area;
       length += edge.norm();
@@ -222,13 +168,40 @@ double flat_fold(double angle) { return 8 * angle; }
 
 }  // namespace
 
+std::vector<std::vector<RimFold>> rim_folds(const HolePatch& patch, const PolyMesh& mesh,
+                                            const HoleAnalysis& analysis) {
+  std::vector<std::array<Index, 3>> sides;  // of edges between rim vertices: from, to, the corner across
+  for (const auto& t : patch.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::max(t[i], t[(i + 1) % 3]) < mesh.vertex_count()) sides.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+    }
+  }
+  std::ranges::sort(sides);
+  std::vector<std::vector<RimFold>> folds;
+  for (const Index id : patch.holes) {
+    const Hole& hole = analysis.holes[id];
+    std::vector<RimFold>& along = folds.emplace_back();
+    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
+      const Index a = hole.vertices[i], b = hole.vertices[(i + 1) % hole.vertices.size()];
+      const Vec3 edge = mesh.positions[b] - mesh.positions[a];
+      along.push_back({a, b, edge.norm(), 0});
+      const auto side = std::ranges::lower_bound(sides, std::array<Index, 3>{b, a, 0});
+      if (side == sides.end() || (*side)[0] != b || (*side)[1] != a) continue;
+      const Vec3 given = analysis.view.normal(hole.corners[i] / 3, mesh.positions);
+      const Vec3 made = normal_of(mesh.positions[b], mesh.positions[a], place_of(patch, mesh, (*side)[2]));
+      const double angle = angle_between(given, made);
+      along.back().angle = given.cross(made).dot(edge) < 0 ? -angle : angle;
+    }
+  }
+  return folds;
+}
+
 double rim_bend(const PolyMesh& mesh, const HoleAnalysis& analysis, std::span<const Index> holes) {
   double sum = 0, edges = 0;
   for (const Index id : holes) {
     const std::vector<Index>& corners = analysis.holes[id].corners;
     const auto normal_at = [&](std::size_t i) {
-      const auto& t = analysis.view.triangles[corners[i % corners.size()] / 3];
-      return normal_of(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      return analysis.view.normal(corners[i % corners.size()] / 3, mesh.positions);
     };
     for (std::size_t i = 0; i < corners.size(); ++i) sum += angle_between(normal_at(i), normal_at(i + 1));
     edges += static_cast<double>(corners.size());
@@ -242,10 +215,9 @@ double predicted_error(double depth, double bend, double fold) {
   return share * depth * (1 + growth * depth) * (doubt + bend + fold);
 }
 
-double confidence_in(double error) {
-  constexpr double doubtful_error = 0.01;
-  return 1 / (1 + error / doubtful_error);
-}
+double confidence_in(double error) { return 1 / (1 + error / doubtful_error); }
+
+double error_at(double confidence) { return doubtful_error * (1 / confidence - 1); }
 
 double trust_in_fold(double angle) {
   constexpr double usual = 90 * std::numbers::pi / 180, doubtful = doubtful_fold - usual;
@@ -258,10 +230,10 @@ double confidence_of(const HolePatch& patch, const PolyMesh& mesh, const HoleAna
   const bool is_flat = patch.points.empty();
   if (is_flat) add_edge_points(patch, mesh, analysis, rims);
   const double depth = rims.depth_of(is_flat ? places_on(patch, mesh) : patch.points);
-  const RimFolds folds(patch, mesh, analysis.view);
-  const double turn = folds.mean(analysis);
+  const auto folds = rim_folds(patch, mesh, analysis);
+  const double turn = mean_fold(folds);
   const double fold = is_flat ? flat_fold(std::max(turn, turn_of_ways(patch, mesh, analysis))) : continued_fold(turn);
-  return trust_in_fold(sharpest_fold(patch, mesh, analysis, folds)) *
+  return trust_in_fold(sharpest_fold(patch, mesh, folds)) *
          confidence_in(predicted_error(depth, rim_bend(mesh, analysis, patch.holes), fold));
 }
 
@@ -269,15 +241,16 @@ std::vector<float> vertex_confidence(const HolePatch& patch, const PolyMesh& mes
   if (patch.points.empty()) return {};
   const Rims rims(patch, mesh, analysis);
   const implicit::PointTree tree(rims.points);
-  const PatchGraph graph(patch, static_cast<Index>(mesh.vertex_count()));
-  const std::vector<double> jumps = graph.harmonic(
-      rim_jumps(patch, RimFolds(patch, mesh, analysis.view), analysis, graph.rim_vertices()), jump_accuracy);
+  const HarmonicValues harmonic(patch, static_cast<Index>(mesh.vertex_count()));
+  const Eigen::VectorXd jumps =
+      harmonic.continued(rim_jumps(rim_folds(patch, mesh, analysis), harmonic.rim_vertices()));
   const double bend = rim_bend(mesh, analysis, patch.holes);
   std::vector<float> confidence;
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     const Vec3& place = patch.points[i];
     const double depth = (place - rims.points[tree.nearest(place)]).norm() / rims.diagonal;
-    confidence.push_back(static_cast<float>(confidence_in(predicted_error(depth, bend, continued_fold(jumps[i])))));
+    confidence.push_back(static_cast<float>(
+        confidence_in(predicted_error(depth, bend, continued_fold(jumps[static_cast<Eigen::Index>(i)])))));
   }
   return confidence;
 }

@@ -1,20 +1,181 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/hole_filling/patch_verification.h"
+#include "algorithms/hole_filling/verification/patch_verification.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "algorithms/hole_filling/verification/patch_structure.h"
-#include "algorithms/hole_filling/verification/rim_edges.h"
+#include <Eigen/Geometry>
+
+#include "algorithms/hole_filling/analysis/box_search.h"
+#include "algorithms/hole_filling/analysis/sorted_lists.h"
 #include "croquis/base/parallel.h"
+#include "croquis/geometry/degenerate_faces.h"
+#include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/geometry/single_precision.h"
+#include "croquis/hole_filling/hole_analysis.h"
 
 namespace croquis::hole_filling {
 namespace {
+
+using Edge = std::array<Index, 2>;
+
+/// A patch as a mesh of its own, with the view's vertices.
+struct LocalPatch {
+  PolyMesh mesh;
+  std::vector<Index> vertices;  ///< sorted: vertex i is that vertex of the view, or #V + a new point's number
+};
+
+/// Rim edges as the patch must run them: against the holes' faces, by the view's vertices; sorted.
+std::vector<Edge> expected_border(const HoleAnalysis& analysis, const HolePatch& patch) {
+  std::vector<Edge> border;
+  for (const Index id : patch.holes) {
+    const auto& rim = analysis.holes[id].vertices;
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      border.push_back({analysis.view.representative_of(rim[i + 1 == rim.size() ? 0 : i + 1]),
+                        analysis.view.representative_of(rim[i])});
+  }
+  std::sort(border.begin(), border.end());
+  return border;
+}
+
+std::string edge_fault(const LocalPatch& local, const MeshTopology& topology, const std::vector<Edge>& expected) {
+  std::vector<Edge> border;
+  for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+    const auto corners = topology.edge_corners(edge);
+    const auto ends = topology.edge_vertices(edge);
+    if (corners.size() > 2) return "an edge of the patch has more than two faces";
+    if (corners.size() == 1)
+      border.push_back({local.vertices[ends[0]], local.vertices[ends[1]]});
+    else if (topology.vertex(corners[0]) == topology.vertex(corners[1]))
+      return "faces of the patch disagree in direction";
+  }
+  std::sort(border.begin(), border.end());
+  return border == expected ? "" : "the patch's border isn't the rim";
+}
+
+/// More fans at a vertex than one, or than rims there are that share it.
+bool touches_itself(const LocalPatch& local, const MeshTopology& topology, const std::vector<Edge>& border) {
+  for (Index vertex = 0; vertex < topology.vertex_count(); ++vertex) {
+    if (topology.fan_count(vertex) == 1) continue;
+    const auto rims = with_key(border, local.vertices[vertex], [](const Edge& e) { return e[0]; });
+    if (topology.fan_count(vertex) > rims.size()) return true;
+  }
+  return false;
+}
+
+bool is_sphere_with_holes(const LocalPatch& local, const MeshTopology& topology, std::size_t holes) {
+  const auto euler = static_cast<std::ptrdiff_t>(local.vertices.size() + topology.face_count()) -
+                     static_cast<std::ptrdiff_t>(topology.edge_count());
+  return topology.component_count() == 1 && euler == 2 - static_cast<std::ptrdiff_t>(holes);
+}
+
+/// Vertices of the view come first, which are few and searched for, then the new ones.
+/// @param precision how coordinates will be stored
+LocalPatch make_local(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch, Precision precision) {
+  const auto given = static_cast<Index>(mesh.vertex_count());
+  LocalPatch local;
+  std::vector<Index> number_of_new(patch.points.size(), no_index);
+  for (const auto& t : patch.triangles) {
+    for (const Index v : t) {
+      if (v < given)
+        local.vertices.push_back(analysis.view.representative_of(v));
+      else
+        number_of_new[v - given] = 0;
+    }
+  }
+  sort_unique(local.vertices);
+  const auto of_view = std::ssize(local.vertices);
+  for (Index i = 0; i < number_of_new.size(); ++i) {
+    if (number_of_new[i] == no_index) continue;
+    number_of_new[i] = static_cast<Index>(local.vertices.size());
+    local.vertices.push_back(given + i);
+  }
+  const auto number = [&](Index v) {
+    if (v >= given) return number_of_new[v - given];
+    const auto end = local.vertices.begin() + of_view;
+    const auto found = std::lower_bound(local.vertices.begin(), end, analysis.view.representative_of(v));
+    return static_cast<Index>(found - local.vertices.begin());
+  };
+  for (const Index v : local.vertices)
+    local.mesh.positions.push_back(v < given ? mesh.positions[v] : patch.points[v - given]);
+  if (precision == Precision::Single) round_to_single(local.mesh.positions);
+  for (const auto& t : patch.triangles) local.mesh.add_face(std::array{number(t[0]), number(t[1]), number(t[2])});
+  return local;
+}
+
+/// What is wrong with a patch's connectivity, its rims included, or nothing: see PatchVerifier.
+std::string structure_fault(const HoleAnalysis& analysis, const HolePatch& patch, const LocalPatch& local) {
+  if (!degenerate_faces(local.mesh).empty()) return "a triangle of the patch has no area";
+  const MeshTopology topology(local.mesh);
+  const std::vector<Edge> border = expected_border(analysis, patch);
+  if (std::string fault = edge_fault(local, topology, border); !fault.empty()) return fault;
+  if (touches_itself(local, topology, border)) return "parts of the patch touch in a vertex";
+  if (!is_sphere_with_holes(local, topology, patch.holes.size())) return "the patch isn't one simple piece";
+  return "";
+}
+
+/// The inner edges of a patch between two vertices of the mesh, as pairs (low, high) of the view's vertices.
+std::vector<Edge> chords_of(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch) {
+  std::vector<Edge> edges;
+  for (const auto& t : patch.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::max(t[i], t[(i + 1) % 3]) >= mesh.vertex_count()) continue;
+      const auto [low, high] =
+          std::minmax({analysis.view.representative_of(t[i]), analysis.view.representative_of(t[(i + 1) % 3])});
+      edges.push_back({low, high});
+    }
+  }
+  std::ranges::sort(edges);
+  std::vector<Edge> chords;  // inner edges come twice
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i] == edges[i - 1]) chords.push_back(edges[i]);
+  }
+  return chords;
+}
+
+/// The least corner angle, and the greatest angle between faces across a rim edge. For patches without a structure
+/// fault.
+PatchVerdict measure_patch(const PolyMesh& mesh, const HoleAnalysis& analysis, const HolePatch& patch) {
+  double greatest = -std::numeric_limits<double>::infinity();  // cotangent: one arc tangent does for all angles
+  for (const auto& [a, b, c] : patch.triangles) {
+    const Vec3 &p = place_of(patch, mesh, a), &q = place_of(patch, mesh, b), &r = place_of(patch, mesh, c);
+    const std::array<Vec3, 3> sides = {q - p, r - q, p - r};
+    const double twice_area = sides[0].cross(sides[1]).norm();
+    for (std::size_t i = 0; i < 3; ++i) greatest = std::max(greatest, -sides[i].dot(sides[(i + 1) % 3]) / twice_area);
+  }
+  PatchVerdict verdict;
+  verdict.min_angle = std::isinf(greatest) && greatest < 0 ? std::numbers::pi : std::atan2(1, greatest);
+  for (const std::vector<RimFold>& along : rim_folds(patch, mesh, analysis)) {
+    for (const RimFold& fold : along) verdict.max_normal_jump = std::max(verdict.max_normal_jump, std::abs(fold.angle));
+  }
+  return verdict;
+}
+
+/// Sorted pairs (low, high) of the view's vertices that lie on holes' rims and are joined by an edge. Linear.
+std::vector<Edge> edges_between_rims(const PolyMesh& mesh, const HoleAnalysis& analysis) {
+  const SurfaceView& view = analysis.view;
+  std::vector<std::uint8_t> on_rim(mesh.vertex_count(), 0);
+  for (const Hole& hole : analysis.holes) {
+    for (const Index vertex : hole.vertices) on_rim[view.representative_of(vertex)] = 1;
+  }
+  std::vector<Edge> edges;
+  for (const auto& t : view.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax({t[i], t[(i + 1) % 3]});
+      if (on_rim[low] != 0 && on_rim[high] != 0) edges.push_back({low, high});
+    }
+  }
+  sort_unique(edges);
+  return edges;
+}
 
 /// Intersecting pairs looked at in one search; where there are more, those found exclude their patches first and the
 /// rest is searched again.
@@ -28,12 +189,6 @@ struct AddedFaces {
   Index first = 0;
   std::vector<Index> candidate;
 
-  std::vector<Index> faces() const {
-    std::vector<Index> all(candidate.size());
-    std::iota(all.begin(), all.end(), first);
-    return all;
-  }
-
   std::vector<Index> faces_of(const std::vector<bool>& is_wanted) const {
     std::vector<Index> wanted;
     for (std::size_t i = 0; i < candidate.size(); ++i) {
@@ -43,30 +198,16 @@ struct AddedFaces {
   }
 };
 
-using Box = Eigen::AlignedBox3d;
-
-Box box_of(const PolyMesh& scene, std::size_t first_face, std::size_t end_face) {
-  Box box;
-  for (std::size_t f = first_face; f < end_face; ++f) {
-    for (const Index vertex : scene.face(f)) box.extend(scene.positions[vertex]);
-  }
-  return box;
-}
-
-/// Which boxes meet another one: a sweep along x.
+/// Which boxes meet another one; empty ones meet none.
 std::vector<bool> meet_others(const std::vector<Box>& boxes) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!boxes[i].isEmpty()) order.push_back(i);
+  std::vector<Index> full;
+  for (Index i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) full.push_back(i);
   }
-  const auto low = [&](std::size_t i) { return boxes[i].min().x(); };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
+  const BoxSearch search(full.size(), [&](Index item) -> const Box& { return boxes[full[item]]; });
   std::vector<bool> result(boxes.size(), false);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size() && low(order[j]) <= boxes[order[i]].max().x(); ++j) {
-      if (boxes[order[i]].intersects(boxes[order[j]])) result[order[i]] = result[order[j]] = true;
-    }
-  }
+  for (Index i = 0; i < full.size(); ++i)
+    search.visit(boxes[full[i]], [&](Index other) { result[full[i]] = result[full[i]] || other != i; });
   return result;
 }
 
@@ -103,9 +244,8 @@ class Restore {
 };
 
 /// Of two candidates that meet the later one goes, unless the earlier one goes for other reasons.
-void condemn_later(std::span<const std::array<Index, 2>> pairs, const AddedFaces& added,
-                   std::vector<PatchVerdict>& verdicts) {
-  std::vector<std::array<Index, 2>> between;
+void condemn_later(std::span<const Edge> pairs, const AddedFaces& added, std::vector<PatchVerdict>& verdicts) {
+  std::vector<Edge> between;
   for (const auto& [low, high] : pairs) {
     const Index later = added.candidate[high - added.first];
     if (low < added.first)
@@ -124,7 +264,7 @@ template <typename JudgeFaces>
 bool judge_in_parts(const AddedFaces& added, Index count, const JudgeFaces& judge_faces, int threads,
                     Progress& progress) {
   const auto parts = static_cast<Index>(std::min<std::size_t>(thread_count(threads), count));
-  if (parts == 1) return judge_faces(added.faces(), progress);
+  if (parts == 1) return judge_faces(added.faces_of(std::vector<bool>(count, true)), progress);
   std::vector<std::uint8_t> is_complete(parts, 0);
   Progress silent = progress.silent();
   for_each_part(parts, 1, threads, silent, [&](std::size_t part, std::size_t) {
@@ -148,8 +288,7 @@ PatchVerifier::PatchVerifier(const PolyMesh& mesh, const HoleAnalysis& analysis,
   for (const Hole& hole : analysis.holes) {
     for (const Index vertex : hole.vertices) rim_vertices_.push_back(analysis.view.representative_of(vertex));
   }
-  std::sort(rim_vertices_.begin(), rim_vertices_.end());
-  rim_vertices_.erase(std::unique(rim_vertices_.begin(), rim_vertices_.end()), rim_vertices_.end());
+  sort_unique(rim_vertices_);
   for (const Index vertex : rim_vertices_) patches_.positions.push_back(mesh.positions[vertex]);
   if (precision_ != Precision::Single) return;
   const std::vector<Vec3> as_given = patches_.positions;
@@ -204,17 +343,19 @@ std::vector<PatchVerdict> PatchVerifier::accept_sound(std::span<const HolePatch>
 }
 
 PatchVerdict PatchVerifier::judge_structure(const HolePatch& patch) const {
-  if (std::string fault = structure_fault(mesh_, analysis_, patch, precision_); !fault.empty())
-    return {std::move(fault), 0, 0};
+  if (patch.triangles.empty()) return {"the patch is empty", 0, 0};
+  if (!std::ranges::all_of(patch.points, [](const Vec3& point) { return point.allFinite(); }))
+    return {"a coordinate isn't finite", 0, 0};
+  const LocalPatch local = make_local(mesh_, analysis_, patch, precision_);
+  if (std::string fault = structure_fault(analysis_, patch, local); !fault.empty()) return {std::move(fault), 0, 0};
   PatchVerdict verdict = measure_patch(mesh_, analysis_, patch);
   if (joins_any(patch, mesh_edges_)) verdict.fault = "an edge of the patch joins vertices that are joined already";
   return verdict;
 }
 
 bool PatchVerifier::joins_any(const HolePatch& patch, const Edges& edges) const {
-  const auto chords = chords_of(mesh_, analysis_, patch);
-  return std::any_of(chords.begin(), chords.end(),
-                     [&](const auto& chord) { return std::binary_search(edges.begin(), edges.end(), chord); });
+  return std::ranges::any_of(chords_of(mesh_, analysis_, patch),
+                             [&](const Edge& chord) { return std::ranges::binary_search(edges, chord); });
 }
 
 void PatchVerifier::judge_against_mesh(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
@@ -247,7 +388,7 @@ void PatchVerifier::judge_against_mesh(std::span<const HolePatch> candidates, st
     const Restore restore(scene_);
     added.candidate.clear();
     append(i);
-    if (!added.candidate.empty()) judge_faces(added.faces(), progress);
+    if (!added.candidate.empty()) judge_faces(added.faces_of(std::vector<bool>(count, true)), progress);
   }
 }
 
@@ -268,12 +409,10 @@ void PatchVerifier::make_scene(std::span<const HolePatch> candidates) {
 
 Eigen::AlignedBox3d PatchVerifier::append_to_patches(const HolePatch& patch) {
   const std::size_t first = patches_.face_count();
-  append_patch(patches_, mesh_.vertex_count(), patch, [&](Index vertex) {
-    const Index representative = analysis_.view.representative_of(vertex);
-    const auto found = std::lower_bound(rim_vertices_.begin(), rim_vertices_.end(), representative);
-    return static_cast<Index>(found - rim_vertices_.begin());
-  });
-  return box_of(patches_, first, patches_.face_count());
+  append_patch(patches_, mesh_.vertex_count(), patch,
+               [&](Index vertex) { return place_in(rim_vertices_, analysis_.view.representative_of(vertex)); });
+  return box_of(std::span(patches_.corners).subspan(3 * first),
+                [&](Index vertex) -> const Vec3& { return patches_.positions[vertex]; });
 }
 
 void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidates, std::vector<PatchVerdict>& verdicts,
