@@ -3,9 +3,8 @@
 
 #include <QColor>
 
-#include <glm/vec3.hpp>
-
 #include "croquis/geometry/vector.h"
+#include "croquis/render/camera.h"
 #include "croquis/render/color.h"
 
 namespace croquis::app {
