@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// What each thing that a reading supposes costs. A cost of 1 is about what a careful hand gets wrong once in three
-/// times: costs stand for minus the logarithm of how often it happens. docs/algorithms/silhouette.md derives them.
+/// times: costs stand for minus the logarithm of how often it happens. docs/algorithms/reading_costs.md derives them.
 namespace croquis::silhouette::costs {
 
 /// Of a distance in parts of what hands miss by: squared for small ones, in proportion for large ones.
