@@ -51,6 +51,22 @@ TEST_CASE("a mirrored network shares what lies in the plane, and mirroring it ag
   CHECK(text_of(mirror_network(whole.network, plane, 1e-6).network) == text_of(whole.network));
 }
 
+TEST_CASE("curves at one place are mirrored to different curves, so that no loop has one twice") {
+  AttributeNetwork network;
+  network.nodes = {{"a", {1, 0, 0}}, {"b", {1, 1, 0}}, {"c", {-1, 0, 0}}, {"d", {-1, 1, 0}}};
+  network.curves = {{"first", 0, 1, {}}, {"second", 0, 1, {}}, {"other", 2, 3, {}}};
+  AttributeFace face;
+  face.id = "face";
+  face.loop = {{0, false}, {1, true}};
+  network.faces = {face};
+  REQUIRE(validate(network).empty());
+  const MirroredNetwork whole = mirror_network(network, plane, 1e-6);
+  CHECK(validate(whole.network).empty());
+  CHECK(whole.network.curves.size() == 4);
+  CHECK(whole.network.faces.size() == 2);
+  CHECK(is_symmetric(whole.network));
+}
+
 TEST_CASE("surfaces of mirrored networks are symmetric, and their normals point to the mirrored side") {
   const AttributeNetwork whole = whole_sheet();
   Progress progress;

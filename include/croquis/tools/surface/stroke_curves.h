@@ -12,7 +12,7 @@ namespace croquis {
 struct StrokeCurveOptions {
   double unit = 1;                ///< model units per pixel of the view drawn in, > 0; the lengths below are px of it
   double tolerance = 2.5;         ///< greatest distance of the steadied stroke from its curve …
-  double noise_share = 3.5;     ///< … or × the pen's noise, where that is more (one standard deviation)
+  double noise_share = 3.5;       ///< … or × the pen's noise, where that is more (one standard deviation)
   double smallest = 6;            ///< a stroke that goes no farther is a tap
   double straight_share = 0.025;  ///< × length: what bends less is a line
   double corner_degrees = 50;     ///< turns by more than this within `corner_reach` are corners

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -44,6 +45,7 @@ bool same_polygon(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double
          std::ranges::equal(a, b, [&](const Vec3& p, const Vec3& q) { return is_close(p, q, tolerance); });
 }
 
+/// Curves at one place have different partners: a loop has no curve twice, and its image mustn't either.
 std::vector<Index> curve_partners(const AttributeNetwork& network, const Affine3& map, double tolerance) {
   std::vector<std::vector<Vec3>> polygons;
   std::vector<Vec3> middles;
@@ -53,16 +55,19 @@ std::vector<Index> curve_partners(const AttributeNetwork& network, const Affine3
   }
   const PlaceIndex index(middles);
   std::vector<Index> partners;
+  std::vector<std::uint8_t> taken(polygons.size(), 0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     std::vector<Vec3> image = polygons[i];
     for (Vec3& point : image) point = map(point);
     const std::vector<Vec3> backwards(image.rbegin(), image.rend());
     const auto is_image = [&](Index other) {
-      return same_polygon(polygons[other], image, tolerance) || same_polygon(polygons[other], backwards, tolerance);
+      return taken[other] == 0 &&
+             (same_polygon(polygons[other], image, tolerance) || same_polygon(polygons[other], backwards, tolerance));
     };
     const Vec3 middle = map(middles[i]);
     const bool itself = is_close(middle, middles[i], tolerance) && is_image(static_cast<Index>(i));
     partners.push_back(itself ? static_cast<Index>(i) : index.find(middle, tolerance, is_image));
+    if (partners.back() != no_index) taken[partners.back()] = 1;
   }
   return partners;
 }

@@ -54,8 +54,8 @@ constexpr double least_share_of_depth = 0.01;  // a front dragged through the ba
 
 }  // namespace
 
-using silhouette::StrokeKind;
 using silhouette::is_set_behind;
+using silhouette::StrokeKind;
 
 std::vector<NestedStroke> nested_outlines(const InflateResult& inflated, const Drawing& drawing) {
   std::vector<NestedStroke> outlines;
