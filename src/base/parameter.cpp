@@ -39,12 +39,6 @@ std::string accepted(const ParameterDescription& description) {
   return list;
 }
 
-Finding refusal(const ParameterDescription& description, const std::string& given) {
-  return make_error(Category::Usage, "E_PARAMETER",
-                    "'" + given + "' is no value for " + description.name + ": it takes " + accepted(description) + ".",
-                    {{SubjectKind::Parameter, description.name, {}, {}, {}}});
-}
-
 bool in_range(const ParameterDescription& description, double value) {
   return is_usable_number(value) && value >= description.minimum && value <= description.maximum;
 }
@@ -88,19 +82,6 @@ const char* to_string(ParameterType type) {
   return "text";
 }
 
-ParameterDescription ParameterDescription::titled(std::string words, std::vector<std::string> words_of_choices) const {
-  ParameterDescription described = *this;
-  described.title = std::move(words);
-  described.choice_titles = std::move(words_of_choices);
-  return described;
-}
-
-ParameterDescription ParameterDescription::at(ParameterPlace where) const {
-  ParameterDescription described = *this;
-  described.place = where;
-  return described;
-}
-
 std::string title_of(const ParameterDescription& description) {
   if (!description.title.empty()) return description.title;
   std::string title = description.name;
@@ -141,8 +122,18 @@ ParameterDescription text_parameter(const std::string& name, const std::string& 
   return {name, ParameterType::Text, value, 0, 0, {}, "", sentence};
 }
 
+ParameterDescription file_parameter(const std::string& name, const std::string& sentence) {
+  return {name, ParameterType::File, std::string(), 0, 0, {}, "", sentence};
+}
+
 ParameterDescription list_parameter(const std::string& name, const std::string& sentence) {
   return {name, ParameterType::Text, std::string(), 0, 0, {}, "", sentence, true};
+}
+
+Finding refused_value(const std::string& name, std::string_view value, const std::string& accepted) {
+  return make_error(Category::Usage, "E_PARAMETER",
+                    "'" + std::string(value) + "' is no value for " + name + ": it takes " + accepted + ".",
+                    {{SubjectKind::Parameter, name, {}, {}, {}}});
 }
 
 const ParameterDescription* find_parameter(std::span<const ParameterDescription> descriptions, std::string_view name) {
@@ -184,7 +175,7 @@ ParameterValues complete(const std::vector<ParameterDescription>& descriptions, 
       findings.push_back(make_error(Category::Usage, "E_PARAMETER", "There is no parameter '" + name + "'.",
                                     {{SubjectKind::Parameter, name, {}, {}, {}}}));
     } else if (!acceptable(*known, value)) {
-      findings.push_back(refusal(*known, to_text(value)));
+      findings.push_back(refused_value(known->name, to_text(value), accepted(*known)));
     }
   }
   if (!findings.empty()) throw Error(std::move(findings));
@@ -216,7 +207,7 @@ ParameterValue parse_parameter(const ParameterDescription& description, const st
     double number = 0;
     if (read_number(text, number)) value = number;
   }
-  if (!acceptable(description, value)) throw Error(refusal(description, text));
+  if (!acceptable(description, value)) throw Error(refused_value(description.name, text, accepted(description)));
   return value;
 }
 

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command.h"
-#include "cli/commands/edits_command.h"
-#include "cli/commands/mesh_commands.h"
-#include "cli/commands/operation_command.h"
-#include "cli/commands/operations_command.h"
-#include "cli/commands/render_command.h"
-#include "cli/commands/run_command.h"
+#include "cli/commands/follow_ups.h"
 
 namespace croquis::cli {
 
-std::vector<std::unique_ptr<Command>> all_commands(const Registry& registry) {
-  std::vector<std::unique_ptr<Command>> commands;
+std::vector<Command> all_commands(const Registry& registry) {
+  std::vector<Command> commands;
   for (const auto& operation : registry.operations()) {
-    if (reads_files(operation->describe()))
-      commands.push_back(std::make_unique<OperationCommand>(*operation, registry));
+    if (reads_files(operation->describe())) commands.push_back(operation_command(*operation, registry));
   }
-  commands.push_back(std::make_unique<InfoCommand>());
-  commands.push_back(std::make_unique<CheckCommand>());
-  commands.push_back(std::make_unique<ConvertCommand>());
-  commands.push_back(std::make_unique<RenderCommand>());
-  commands.push_back(std::make_unique<RunCommand>(registry));
-  commands.push_back(std::make_unique<OperationsCommand>(registry));
-  commands.push_back(std::make_unique<EditsCommand>());
+  for (Command& command : std::vector{info_command(), check_command(), convert_command(), render_command(),
+                                      run_command(registry), operations_command(registry), edits_command()})
+    commands.push_back(std::move(command));
   return commands;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +29,8 @@ struct CommandDescription {
   bool needs_input = true;
   std::string input_word = "FILE";  ///< how the help calls the input
   OutputNeed output = OutputNeed::None;
-  std::vector<ParameterDescription> parameters;
-  std::vector<std::string> examples;  ///< whole command lines that work
+  std::vector<ParameterDescription> parameters = {};
+  std::vector<std::string> examples = {};  ///< whole command lines that work
 };
 
 /// What was typed: the subcommand's own parameters and the options that all share.
@@ -59,17 +59,35 @@ struct CommandResult {
   std::map<std::string, std::string> files;  ///< bytes by path; written together when the command has succeeded
 };
 
-class Command {
- public:
-  virtual ~Command() = default;
-
-  virtual CommandDescription describe() const = 0;
-
+/// A subcommand.
+struct Command {
+  CommandDescription description;
   /// @throws Error, Cancelled
-  virtual void run(const Invocation& invocation, CommandResult& result, Progress& progress) const = 0;
+  std::function<void(const Invocation&, CommandResult&, Progress&)> run;
 };
 
+/// `info`: what a mesh file holds.
+Command info_command();
+/// `check`: succeeds only for closed, manifold, oriented meshes without self-intersection.
+Command check_command();
+/// `convert`: from any mesh format to any other.
+Command convert_command();
+/// `render`: a picture of a mesh, without any display.
+Command render_command();
+/// `run`: evaluates a project and writes its visible meshes that no other visible mesh is made of.
+Command run_command(const Registry& registry);
+/// `operations`: every operation with its parameters, and the reference page.
+Command operations_command(const Registry& registry);
+/// `edits`: every edit with its parameters, and the reference page.
+Command edits_command();
+
+/// The subcommand of an operation, made from its description: parameters become options, the first output is -o, every
+/// further output is an option of its name that writes a file, but for the report "details". Outputs that have no file
+/// format are what follow-ups go on from, whose outputs and parameters are options as well. The first input is the
+/// command's; every report among the further ones is an option of its name that reads a JSON file.
+Command operation_command(const Operation& operation, const Registry& registry);
+
 /// Every subcommand: one per operation, and those of the host itself. The registry must outlive them.
-std::vector<std::unique_ptr<Command>> all_commands(const Registry& registry);
+std::vector<Command> all_commands(const Registry& registry);
 
 }  // namespace croquis::cli

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
-#include "cli/byte_size.h"
 #include "croquis/base/error.h"
 #include "croquis/io/file.h"
 
@@ -19,7 +21,6 @@ namespace {
 /// Everything CLI11 writes into; one per subcommand.
 struct Slot {
   const Command* command = nullptr;
-  CommandDescription description;
   CLI::App* app = nullptr;
   Invocation invocation;
   std::string memory;
@@ -49,7 +50,7 @@ std::string type_word(const ParameterDescription& parameter) {
 }
 
 void add_parameters(Slot& slot) {
-  for (const ParameterDescription& parameter : slot.description.parameters) {
+  for (const ParameterDescription& parameter : slot.command->description.parameters) {
     const std::string name = "--" + parameter.name;
     if (parameter.type == ParameterType::Flag) {
       slot.app->add_flag(name, slot.flags[parameter.name], help_of(parameter));
@@ -88,7 +89,7 @@ std::string footer_of(const CommandDescription& description) {
 }
 
 void add_subcommand(CLI::App& app, Slot& slot) {
-  const CommandDescription& description = slot.description;
+  const CommandDescription& description = slot.command->description;
   slot.app = app.add_subcommand(description.name, description.sentence);
   slot.app->footer(footer_of(description));
   if (description.needs_input) {
@@ -124,11 +125,36 @@ std::string with_files_read(const std::string& list) {
   return text;
 }
 
+/// "512M", "2G", "1.5GiB", "1000000": a number of bytes, with K, M, G or T as powers of 1024.
+std::int64_t parse_byte_size(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  std::string_view suffix(stopped, static_cast<std::size_t>(end - stopped));
+  if (suffix.ends_with("iB")) {
+    suffix.remove_suffix(2);
+  } else if (suffix.ends_with("B")) {
+    suffix.remove_suffix(1);
+  }
+  constexpr std::string_view units = "KMGT";
+  if (suffix.size() == 1) {
+    const auto power = units.find(static_cast<char>(std::toupper(static_cast<unsigned char>(suffix[0]))));
+    if (power != std::string_view::npos) {
+      number *= std::pow(1024.0, static_cast<double>(power + 1));
+      suffix = {};
+    }
+  }
+  if (error != std::errc{} || !suffix.empty() || !(number >= 1) || number > 1e18) {
+    throw Error(refused_value("max-memory", text, "a size such as 512M or 2G"));
+  }
+  return static_cast<std::int64_t>(number);
+}
+
 /// Converts what was typed into values, with findings for what can't be.
 void read_parameters(Slot& slot) {
   Findings findings;
   ParameterValues& values = slot.invocation.parameters;
-  for (const ParameterDescription& parameter : slot.description.parameters) {
+  for (const ParameterDescription& parameter : slot.command->description.parameters) {
     const CLI::Option* option = slot.app->get_option("--" + parameter.name);
     if (option->count() == 0) continue;
     try {
@@ -143,7 +169,7 @@ void read_parameters(Slot& slot) {
     }
   }
   if (!findings.empty()) throw Error(std::move(findings));
-  values = complete(slot.description.parameters, std::move(values));
+  values = complete(slot.command->description.parameters, std::move(values));
   if (!slot.memory.empty()) slot.invocation.memory_limit = parse_byte_size(slot.memory);
 }
 
@@ -163,8 +189,9 @@ std::string help_text(CLI::App& app) {
 /// CLI11 would only report that a subcommand is missing.
 void check_subcommand(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Slot>>& slots) {
   if (arguments.empty() || arguments.front().starts_with("-")) return;
-  const bool known = std::any_of(slots.begin(), slots.end(),
-                                 [&](const auto& slot) { return slot->description.name == arguments.front(); });
+  const bool known = std::any_of(slots.begin(), slots.end(), [&](const auto& slot) {
+    return slot->command->description.name == arguments.front();
+  });
   if (!known) throw usage_error("There is no subcommand '" + arguments.front() + "'; see --help.");
 }
 
@@ -208,15 +235,13 @@ void set_up(CLI::App& app) {
 
 }  // namespace
 
-ParsedLine parse_command_line(const std::vector<std::string>& arguments,
-                              const std::vector<std::unique_ptr<Command>>& commands) {
+ParsedLine parse_command_line(const std::vector<std::string>& arguments, const std::vector<Command>& commands) {
   CLI::App app("Croquis: drawn lines become solid models.");
   set_up(app);
   std::vector<std::unique_ptr<Slot>> slots;
-  for (const auto& command : commands) {
+  for (const Command& command : commands) {
     slots.push_back(std::make_unique<Slot>());
-    slots.back()->command = command.get();
-    slots.back()->description = command->describe();
+    slots.back()->command = &command;
     add_subcommand(app, *slots.back());
   }
   check_subcommand(arguments, slots);

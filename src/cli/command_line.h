@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct ParsedLine {
 
 /// Reads the arguments against the commands' own descriptions.
 /// @throws Error (E_USAGE, E_PARAMETER; Category::Usage) naming the argument that can't be
-ParsedLine parse_command_line(const std::vector<std::string>& arguments,
-                              const std::vector<std::unique_ptr<Command>>& commands);
+ParsedLine parse_command_line(const std::vector<std::string>& arguments, const std::vector<Command>& commands);
 
 }  // namespace croquis::cli

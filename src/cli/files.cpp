@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/files.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
-#include "cli/finite_part.h"
 #include "croquis/base/error.h"
+#include "croquis/base/limits.h"
+#include "croquis/geometry/mesh_part.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
@@ -45,6 +48,14 @@ MeshFormat mesh_format(const std::string& path, const std::string& named, const 
                          {{SubjectKind::File, path, {}, {}, {}}}));
 }
 
+/// @param before, after of the sentence, around the format that isn't known
+void require_format(const std::string& format, const std::vector<std::string>& known, const std::string& before,
+                    const std::string& after) {
+  if (format.empty() || std::ranges::find(known, format) != known.end()) return;
+  throw Error(make_error(Category::Usage, "E_FORMAT", "There is no " + before + " '" + format + "'" + after,
+                         {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
+}
+
 /// The input as a mesh; of the source all is filled in but how it is to be read.
 PolyMesh read_source(const Invocation& invocation, MeshSource source, CommandResult& result, Progress& progress) {
   source.format = mesh_format(invocation.input, invocation.input_format, "--input-format");
@@ -54,6 +65,32 @@ PolyMesh read_source(const Invocation& invocation, MeshSource source, CommandRes
   MeshReadResult read = read_mesh(source, progress);
   append(result.warnings, read.warnings);
   return std::move(read.mesh);
+}
+
+Finding dropped_finding(const PolyMesh& before, const PolyMesh& after) {
+  const std::size_t vertices = before.vertex_count() - after.vertex_count();
+  const std::size_t faces = before.face_count() - after.face_count();
+  return make_warning(Category::Malformed, "W_BAD_DROPPED",
+                      "Dropped " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") +
+                          " with coordinates that aren't finite or are larger than 1e30, and " + std::to_string(faces) +
+                          (faces == 1 ? " face that uses it" : " faces that use them") +
+                          "; those behind them have lower numbers now.");
+}
+
+/// A mesh without the vertices that are not finite, and without the faces, polylines and tags that use them. What
+/// remains keeps its order and its attributes. Linear time.
+/// @param warnings gets at most one W_BAD_DROPPED: how much is gone
+PolyMesh finite_part(PolyMesh mesh, Findings& warnings) {
+  std::vector<bool> is_finite(mesh.vertex_count());
+  bool all_finite = true;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    is_finite[v] = are_usable_numbers(mesh.positions[v]);
+    all_finite = all_finite && is_finite[v];
+  }
+  if (all_finite) return mesh;
+  MeshPart part = part_of(mesh, is_finite, std::vector<bool>(mesh.face_count(), true));
+  warnings.push_back(dropped_finding(mesh, part.mesh));
+  return std::move(part.mesh);
 }
 
 }  // namespace
@@ -71,9 +108,7 @@ PolyMesh read_input_mesh(const Invocation& invocation, bool require_faces, Comma
 PolyMesh read_finite_mesh(const Invocation& invocation, CommandResult& result, Progress& progress) {
   MeshSource source;
   source.keep_not_finite = true;
-  FinitePart part = finite_part(read_source(invocation, source, result, progress));
-  append(result.warnings, part.warnings);
-  return std::move(part.mesh);
+  return finite_part(read_source(invocation, source, result, progress), result.warnings);
 }
 
 Report read_report(const std::string& path) {
@@ -82,11 +117,7 @@ Report read_report(const std::string& path) {
 
 Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, Progress& progress) {
   const std::string& format = invocation.input_format;
-  if (!format.empty() && format != "svg" && format != "png") {
-    throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "There is no drawing format '" + format + "': use svg, or png for a picture of one.",
-                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
-  }
+  require_format(format, {"svg", "png"}, "drawing format", ": use svg, or png for a picture of one.");
   const std::string bytes = read_input(invocation);
   const std::string name = shown_name(invocation.input);
   if (format.empty() ? is_picture(bytes) : format == "png") return read_picture_drawing(bytes, name, progress);
@@ -97,11 +128,7 @@ Drawing read_input_drawing(const Invocation& invocation, CommandResult& result, 
 
 PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandResult& result, Progress& progress) {
   const std::string& format = invocation.input_format;
-  if (!format.empty() && format != "svg" && format != "json") {
-    throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "There is no format '" + format + "' of perspective drawings: use svg or json.",
-                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
-  }
+  require_format(format, {"svg", "json"}, "format", " of perspective drawings: use svg or json.");
   const std::string bytes = read_input(invocation);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool is_json = format.empty() ? first != std::string::npos && bytes[first] == '{' : format == "json";
@@ -113,11 +140,7 @@ PerspectiveDrawing read_input_perspective(const Invocation& invocation, CommandR
 }
 
 AttributeNetwork read_input_network(const Invocation& invocation, CommandResult& result) {
-  if (!invocation.input_format.empty() && invocation.input_format != "json") {
-    throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "There is no format '" + invocation.input_format + "' of attribute networks: use json.",
-                           {{SubjectKind::Parameter, "input-format", {}, {}, {}}}));
-  }
+  require_format(invocation.input_format, {"json"}, "format", " of attribute networks: use json.");
   AttributeNetworkReadResult read = read_attribute_network(read_input(invocation), shown_name(invocation.input));
   append(result.warnings, read.warnings);
   return std::move(read.network);

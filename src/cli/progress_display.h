@@ -5,10 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "cli/report_json.h"
+#include "croquis/base/described.h"
 #include "croquis/base/progress.h"
 
 namespace croquis::cli {
+
+/// How long one step of a command took.
+struct StageTime {
+  std::string name;
+  double seconds = 0;
+};
+inline auto described(const StageTime& stage) {
+  return fields(named("name", stage.name), named("seconds", stage.seconds));
+}
+static_assert(describes_every_member<StageTime>);
 
 /// Shows progress on standard error and keeps the time of every step.
 class ProgressDisplay {

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "cli/mesh_text.h"
 
 namespace croquis::cli {
 namespace {
@@ -26,11 +27,7 @@ std::string cell_text(const Report* cell) {
   if (cell == nullptr) return unknown;
   struct Visitor {
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
-    std::string operator()(double value) const {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.6g", value);
-      return buffer;
-    }
+    std::string operator()(double value) const { return number_text(value); }
     std::string operator()(bool value) const { return value ? "yes" : "no"; }
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(std::monostate) const { return unknown; }

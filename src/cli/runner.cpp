@@ -16,14 +16,70 @@
 #include "cli/command_line.h"
 #include "cli/mesh_text.h"
 #include "cli/progress_display.h"
-#include "cli/report_json.h"
 #include "cli/run_limits.h"
+#include "croquis/base/described.h"
 #include "croquis/base/error.h"
 #include "croquis/base/exit_code.h"
 #include "croquis/io/file.h"
+#include "croquis/io/json.h"
 
 namespace croquis::cli {
 namespace {
+
+/// What the runner measured around a command.
+struct RunFigures {
+  std::string command;
+  std::string input;
+  std::string output;
+  double seconds = 0;
+  std::vector<StageTime> stages;
+  std::int64_t peak_memory_bytes = 0;
+};
+
+Report to_report(const Subject& subject) {
+  Report report = croquis::to_report(fields(named("kind", subject.kind), named("id", name_of(subject))));
+  if (subject.file) report.set("file", *subject.file);
+  if (subject.line) report.set("line", *subject.line);
+  if (!subject.at.empty()) report.set("at", Report::list(subject.at));
+  return report;
+}
+
+Report to_report(const Finding& finding) {
+  Report subjects = Report::array();
+  for (const Subject& subject : finding.subjects) subjects.push(to_report(subject));
+  Report report = croquis::to_report(
+      fields(named("code", finding.code), named("message", finding.message), named("subject", subjects)));
+  if (const auto& fix = finding.fix)
+    report.set("fix", croquis::to_report(
+                          fields(named("stroke", fix->stroke), named("group", fix->group), named("text", fix->text))));
+  return report;
+}
+
+Report to_report(const Findings& findings) {
+  Report report = Report::array();
+  for (const Finding& finding : findings) report.push(to_report(finding));
+  return report;
+}
+
+/// The report of a command that succeeded: one line of JSON without a newline.
+std::string success_json(const RunFigures& figures, const CommandResult& result) {
+  Report report = croquis::to_report(
+      fields(named("command", figures.command), named("version", CROQUIS_VERSION), named("input", figures.input),
+             named("output", figures.output), named("seconds", figures.seconds), named("stages", figures.stages),
+             named("peak_memory_bytes", figures.peak_memory_bytes), named("warnings", to_report(result.warnings))));
+  if (result.mesh) report.set("mesh", croquis::to_report(*result.mesh));
+  if (result.details) report.set("details", *result.details);
+  return write_json(report, JsonLayout::OneLine);
+}
+
+/// The report of a command that failed, with whatever it had found out before.
+std::string failure_json(const std::string& command, const Findings& errors, const CommandResult& result) {
+  Report report = croquis::to_report(
+      fields(named("command", command), named("error", to_report(errors.front())), named("errors", to_report(errors))));
+  if (!result.warnings.empty()) report.set("warnings", to_report(result.warnings));
+  if (result.mesh) report.set("mesh", croquis::to_report(*result.mesh));
+  return write_json(report, JsonLayout::OneLine);
+}
 
 std::int64_t peak_memory_bytes() {
   rusage usage{};
@@ -183,7 +239,7 @@ int refuse(const std::vector<std::string>& arguments, const Findings& findings) 
 
 }  // namespace
 
-int run(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Command>>& commands) {
+int run(const std::vector<std::string>& arguments, const std::vector<Command>& commands) {
   ParsedLine line;
   try {
     line = parse_command_line(arguments, commands);
@@ -198,7 +254,7 @@ int run(const std::vector<std::string>& arguments, const std::vector<std::unique
   ProgressDisplay display(line.invocation.progress, line.invocation.quiet);
   const Outcome outcome = execute(*line.command, line.invocation, display);
   RunFigures figures;
-  figures.command = line.command->describe().name;
+  figures.command = line.command->description.name;
   figures.input = line.invocation.input;
   figures.output = line.invocation.output;
   figures.stages = display.stages();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,6 @@ namespace croquis::cli {
 
 /// Parses, runs one command within its limits, writes its files together, prints its report.
 /// Never throws; returns the exit code.
-int run(const std::vector<std::string>& arguments, const std::vector<std::unique_ptr<Command>>& commands);
+int run(const std::vector<std::string>& arguments, const std::vector<Command>& commands);
 
 }  // namespace croquis::cli

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/files.h"
+#include "croquis/base/described.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/perspective_drawing.h"
 #include "croquis/perspective/bicubic_fit.h"
@@ -40,21 +41,11 @@ std::vector<std::string> face_names(const CommandResult& result) {
   return names;
 }
 
-Report point_list(const std::vector<Vec3>& points) {
-  Report list = Report::array();
-  for (const Vec3& point : points) list.push(Report::list(point));
-  return list;
-}
-
 Report fit_report(const BicubicFit& fit) {
-  Report report;
-  report.set("u_knots", Report::list(fit.spline.u_knots))
-      .set("v_knots", Report::list(fit.spline.v_knots))
-      .set("points", point_list(fit.spline.points))
-      .set("error", fit.error)
-      .set("angle_degrees", fit.angle * 180 / std::numbers::pi)
-      .set("within_tolerance", fit.within);
-  return report;
+  return to_report(fields(named("u_knots", fit.spline.u_knots), named("v_knots", fit.spline.v_knots),
+                          named("points", fit.spline.points), named("error", fit.error),
+                          named("angle_degrees", fit.angle * 180 / std::numbers::pi),
+                          named("within_tolerance", fit.within)));
 }
 
 }  // namespace
@@ -76,12 +67,12 @@ void stage_step(const Invocation& invocation, const Values& inputs, const Values
   StepOptions options;
   options.unit = *length_unit_named(unit);
   options.face_names = face_names(result);
-  const std::filesystem::path named = invocation.output == "-" ? invocation.input : invocation.output;
-  if (named != "-") options.name = named.stem().string();
+  const std::filesystem::path path = invocation.output == "-" ? invocation.input : invocation.output;
+  if (path != "-") options.name = path.stem().string();
   StepFile file = write_step(*solid_of(outputs), options, progress);
-  Report figures;
-  figures.set("unit", unit).set("faces", file.faces).set("edges", file.edges).set("error", file.error);
-  if (result.details) result.details->set("step", std::move(figures));
+  if (result.details)
+    result.details->set("step", to_report(fields(named("unit", unit), named("faces", file.faces),
+                                                 named("edges", file.edges), named("error", file.error))));
   stage_file(invocation.output, std::move(file.bytes), result);
 }
 

@@ -2,6 +2,8 @@
 #include "croquis/document/document.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace croquis {
@@ -25,6 +27,22 @@ Document Document::of(std::vector<std::shared_ptr<const Node>> nodes, NodeId nex
 const Node* Document::find(NodeId id) const {
   const auto found = std::find_if(nodes_.begin(), nodes_.end(), [id](const auto& node) { return node->id == id; });
   return found == nodes_.end() ? nullptr : found->get();
+}
+
+std::vector<std::shared_ptr<const Node>> Document::upstream(NodeId id) const {
+  std::set<NodeId> wanted{id};
+  std::vector<NodeId> open{id};
+  while (!open.empty()) {
+    const Node* node = find(open.back());
+    open.pop_back();
+    if (node == nullptr) continue;
+    for (const auto& [port, link] : node->inputs) {
+      if (wanted.insert(link.node).second) open.push_back(link.node);
+    }
+  }
+  std::vector<std::shared_ptr<const Node>> nodes;
+  std::ranges::copy_if(nodes_, std::back_inserter(nodes), [&](const auto& node) { return wanted.contains(node->id); });
+  return nodes;
 }
 
 Document Document::with(Node node) const {

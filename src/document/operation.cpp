@@ -26,7 +26,7 @@ void check_outputs(const OperationDescription& description, const Values& output
 }  // namespace
 
 OperationResult run(const Operation& operation, const Values& inputs, ParameterValues parameters, Context& context) {
-  const OperationDescription description = operation.describe();
+  const OperationDescription& description = operation.describe();
   Findings findings;
   for (const PortDescription& port : description.inputs) {
     if (fits(port, inputs) || (port.optional && !inputs.contains(port.name))) continue;

@@ -62,17 +62,17 @@ void parse_word(const EditDescription& description, std::string_view word, std::
   }
 }
 
-EditLine parse_line(std::string_view text, const EditRegistry& registry) {
+EditLine parse_line(std::string_view text) {
   const std::vector<std::string_view> words = text_parts(text, " \t\r");
   EditLine line;
   line.edit = std::string(words.front());
-  const Edit* edit = registry.find(line.edit);
+  const Edit* edit = find_edit(line.edit);
   if (edit == nullptr) {
     std::string ids;
-    for (const auto& known : registry.edits()) ids += (ids.empty() ? "" : ", ") + known->describe().id;
+    for (const Edit& known : all_edits()) ids += (ids.empty() ? "" : ", ") + known.description.id;
     throw Mistake{"there is no edit '" + line.edit + "', but " + ids};
   }
-  const EditDescription description = edit->describe();
+  const EditDescription& description = edit->description;
   std::optional<EditTarget> target;
   for (std::size_t i = 1; i < words.size(); ++i) parse_word(description, words[i], target, line.parameters);
   if (!target) throw Mistake{"say with " + kinds_of(description) + " what is to be edited"};
@@ -93,7 +93,7 @@ std::string without_stop(std::string text) {
 
 }  // namespace
 
-std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry& registry) {
+std::vector<EditLine> parse_edit_lines(std::string_view text) {
   std::vector<EditLine> lines;
   Findings findings;
   for (std::string_view line : text_parts(text, ";\n")) {
@@ -101,7 +101,7 @@ std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry
     if (begin == std::string_view::npos || line[begin] == '#') continue;
     line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
     try {
-      lines.push_back(parse_line(line, registry));
+      lines.push_back(parse_line(line));
     } catch (const Mistake& mistake) {
       findings.push_back(refused_line(line, mistake.what));
     } catch (const Error& error) {
@@ -130,8 +130,8 @@ std::string counted_elements(ComponentKind kind, std::size_t count) {
 }
 
 std::string label_of(const EditLine& line, const std::string& whole) {
-  const Edit* edit = all_edits().find(line.edit);
-  const std::string title = edit == nullptr ? line.edit : edit->describe().title;
+  const Edit* edit = find_edit(line.edit);
+  const std::string title = edit == nullptr ? line.edit : edit->description.title;
   Elements elements = line.target.elements;
   std::sort(elements.begin(), elements.end());
   elements.erase(std::unique(elements.begin(), elements.end()), elements.end());

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "croquis/base/described.h"
 #include "croquis/geometry/bounds.h"
 #include "croquis/geometry/degenerate_faces.h"
 #include "croquis/geometry/mesh_topology.h"
@@ -125,13 +126,6 @@ void count_elements(const PolyMesh& mesh, MeshReport& figures) {
   figures.genus = static_cast<std::int64_t>(figures.components) - euler / 2;
 }
 
-Report vector_report(const Vec3& v) { return Report::list(std::array{v.x(), v.y(), v.z()}); }
-
-template <typename Number>
-Report or_null(const std::optional<Number>& number) {
-  return number ? Report(*number) : Report();
-}
-
 }  // namespace
 
 MeshReport inspect(const PolyMesh& mesh, bool count_self_intersections, Progress& progress) {
@@ -151,30 +145,15 @@ MeshReport inspect(const PolyMesh& mesh, bool count_self_intersections, Progress
 }
 
 Report to_report(const MeshReport& figures) {
-  Report report = Report::object();
-  report.set("vertices", figures.vertices)
-      .set("faces", figures.faces)
-      .set("edges", figures.edges)
-      .set("boundary_edges", figures.boundary_edges)
-      .set("boundary_loops", figures.boundary_loops)
-      .set("components", figures.components)
-      .set("euler_characteristic", figures.euler_characteristic)
-      .set("genus", or_null(figures.genus))
-      .set("nonmanifold_edges", figures.nonmanifold_edges)
-      .set("nonmanifold_vertices", figures.nonmanifold_vertices)
-      .set("degenerate_faces", figures.degenerate_faces)
-      .set("oriented", figures.oriented)
-      .set("closed", figures.closed)
-      .set("self_intersections", or_null(figures.self_intersections))
-      .set("area", figures.area)
-      .set("volume", or_null(figures.volume));
-  Report bounds;
-  if (figures.bounds) {
-    bounds.push(vector_report((*figures.bounds)[0]));
-    bounds.push(vector_report((*figures.bounds)[1]));
-  }
-  report.set("bounds", std::move(bounds));
-  return report;
+  return to_report(
+      fields(named("vertices", figures.vertices), named("faces", figures.faces), named("edges", figures.edges),
+             named("boundary_edges", figures.boundary_edges), named("boundary_loops", figures.boundary_loops),
+             named("components", figures.components), named("euler_characteristic", figures.euler_characteristic),
+             named("genus", figures.genus), named("nonmanifold_edges", figures.nonmanifold_edges),
+             named("nonmanifold_vertices", figures.nonmanifold_vertices),
+             named("degenerate_faces", figures.degenerate_faces), named("oriented", figures.oriented),
+             named("closed", figures.closed), named("self_intersections", figures.self_intersections),
+             named("area", figures.area), named("volume", figures.volume), named("bounds", figures.bounds)));
 }
 
 }  // namespace croquis

@@ -86,11 +86,8 @@ AttachText read_attach_text(const std::string& text) {
     } else if (std::optional<AttachedPair> pair = read_pair(entry)) {
       attach.pairs.push_back(*std::move(pair));
     } else {
-      findings.push_back(make_error(Category::Usage, "E_PARAMETER",
-                                    "'" + std::string(entry) +
-                                        "' is no value for attach: it takes auto, or two names as A,B or A,B=0.55, "
-                                        "A,B=rest or A,B=apart.",
-                                    {{SubjectKind::Parameter, "attach", {}, {}, {}}}));
+      findings.push_back(
+          refused_value("attach", entry, "auto, or two names as A,B or A,B=0.55, A,B=rest or A,B=apart"));
     }
   }
   if (!findings.empty()) throw Error(std::move(findings));

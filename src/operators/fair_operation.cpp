@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/fair_operation.h"
-
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 
+#include "croquis/base/described.h"
 #include "croquis/base/stage_key.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
-#include "croquis/io/mesh_tags_file.h"
-#include "croquis/operators/fair_result.h"
 #include "croquis/subdivision/fairing.h"
+#include "operators/operations.h"
 #include "operators/subdivide_tags.h"
 
 namespace croquis {
@@ -31,14 +29,30 @@ std::size_t byte_size_of(const PolyMesh& mesh, const FairingOptions& options) {
   return bytes_per_point * mesh.vertex_count() * (std::size_t{1} << (2 * options.levels));
 }
 
-FairingOptions read_options(const ParameterValues& parameters) {
+struct FairSettings {
   FairingOptions options;
-  const bool paper = text_of(parameters, "preset") == "paper";
-  options.rules = Rules::of(paper ? Preset::Paper : Preset::Refined);
-  options.levels = static_cast<int>(integer_of(parameters, "levels"));
-  options.fair_chains = text_of(parameters, "chains") == "fair";
-  options.keep_planes = text_of(parameters, "planes") == "keep";
-  return options;
+  double weight = 1;  ///< × the usual one
+};
+
+void list_fair_parameters(FairSettings& settings, ParameterList& list) {
+  FairingOptions& options = settings.options;
+  list.number("weight", settings.weight, 1e-4, 1e4, "/ (median edge length)²",
+              "How much the points are held back: low values make the surface fairer, high ones leave it.")
+      .titled("Hold back");
+  list.integer("levels", options.levels, 0, 4, "", "Level of subdivision at which the bending is measured.")
+      .titled("Level that is looked at")
+      .at(ParameterPlace::Expert);
+  list.choice("chains", options.fair_chains, {"hold", "fair"},
+              "The points of sharp edges hold, or are evened out along their chains.")
+      .titled("Sharp edges", {"stay", "are evened out"});
+  list.choice_of("planes", 0, {"keep", "free"},
+                 "Flat faces beside sharp edges and flat chains keep their planes, or not.",
+                 [&](std::size_t chosen) { options.keep_planes = chosen == 0; })
+      .titled("Flat faces", {"stay flat", "may bend"});
+  list.choice_of("preset", 0, {"refined", "paper"}, "Rules of the Doo-Sabin surface.",
+                 [&](std::size_t preset) { options.rules = Rules::of(static_cast<Preset>(preset)); })
+      .titled("Quality", {"refined", "as published in 2002"})
+      .at(ParameterPlace::Expert);
 }
 
 ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOptions& options) {
@@ -49,66 +63,10 @@ ContentHash hash_of(const std::shared_ptr<const PolyMesh>& mesh, const FairingOp
   return hasher.digest();
 }
 
-Report to_report(const FairResult& result) {
-  Report details;
-  details.set("free_points", result.free_points)
-      .set("weight", result.weight)
-      .set("energy_before", result.energy_before)
-      .set("energy", result.energy)
-      .set("greatest_move", result.greatest_move)
-      .set("mean_move", result.mean_move);
-  return details;
-}
-
-/// The cage with the tags of the other input, where that is there.
-std::shared_ptr<const PolyMesh> tagged_cage(const Values& inputs, Findings& warnings) {
-  const auto cage = inputs.at("cage").as<PolyMesh>();
-  const auto tags = inputs.find("tags");
-  if (tags == inputs.end()) return cage;
-  MeshTagsReadResult read = read_mesh_tags(tags->second.get<Report>());
-  warnings = std::move(read.warnings);
-  PolyMesh mesh = *cage;
-  mesh.tags = united_tags(mesh.tags, read.tags);
-  return std::make_shared<const PolyMesh>(std::move(mesh));
-}
-
-}  // namespace
-
-OperationDescription FairOperation::describe() const {
-  const FairingOptions defaults;
-  return {
-      "fair",
-      1,
-      "Even Out",
-      "Moves the points of a cage so that its Doo-Sabin surface bends less and more evenly.",
-      {{"cage", ValueType::Mesh, "Polygons with their tags; pins, boundaries and sharp edges hold."},
-       {"tags", ValueType::Report,
-        "Sharp edges and pins (croquis-tags-1), added to the cage's own; of two tags of an edge these count.", false,
-        true}},
-      {{"mesh", ValueType::Mesh, "The cage with moved points, and its tags."},
-       {"details", ValueType::Report, "How far points moved, and how much less the surface bends."}},
-      {number_parameter("weight", 1, 1e-4, 1e4, "/ (median edge length)²",
-                        "How much the points are held back: low values make the surface fairer, high ones leave it.")
-           .titled("Hold back"),
-       integer_parameter("levels", defaults.levels, 0, 4, "", "Level of subdivision at which the bending is measured.")
-           .titled("Level that is looked at")
-           .at(ParameterPlace::Expert),
-       choice_parameter("chains", {"hold", "fair"},
-                        "The points of sharp edges hold, or are evened out along their chains.")
-           .titled("Sharp edges", {"stay", "are evened out"}),
-       choice_parameter("planes", {"keep", "free"},
-                        "Flat faces beside sharp edges and flat chains keep their planes, or not.")
-           .titled("Flat faces", {"stay flat", "may bend"}),
-       choice_parameter("preset", {"refined", "paper"}, "Rules of the Doo-Sabin surface.")
-           .titled("Quality", {"refined", "as published in 2002"})
-           .at(ParameterPlace::Expert)}};
-}
-
-OperationResult FairOperation::compute(const Values& inputs, const ParameterValues& parameters,
-                                       Context& context) const {
+OperationResult compute_fair(const Values& inputs, FairSettings settings, Context& context) {
   OperationResult result;
   const auto mesh = tagged_cage(inputs, result.warnings);
-  const FairingOptions options = read_options(parameters);
+  const FairingOptions& options = settings.options;
   Progress preparing = context.progress.step("prepare", 0.6);
   const auto make = [&] { return KeptFairing{.fairing = std::make_unique<Fairing>(*mesh, options, preparing)}; };
   const auto kept = memoized<KeptFairing>(context.memo, hash_of(mesh, options), make,
@@ -116,16 +74,30 @@ OperationResult FairOperation::compute(const Values& inputs, const ParameterValu
   Progress solving = context.progress.step("solve", 0.4);
   const std::lock_guard lock(*kept->mutex);
   Fairing& fairing = *kept->fairing;
-  const double weight = number_of(parameters, "weight") * fairing.default_weight();
+  const double weight = settings.weight * fairing.default_weight();
   FairCage fair = fairing.solve(weight, solving);
   result.warnings.insert(result.warnings.end(), fairing.warnings().begin(), fairing.warnings().end());
-  const FairResult details{fairing.free_point_count(), weight,        fair.energy_before, fair.energy,
-                           fair.greatest_move,         fair.mean_move};
-  result.outputs["details"] = std::make_shared<const Report>(to_report(details));
-  result.details = details;
+  result.outputs["details"] = std::make_shared<const Report>(
+      to_report(fields(named("free_points", fairing.free_point_count()), named("weight", weight),
+                       named("energy_before", fair.energy_before), named("energy", fair.energy),
+                       named("greatest_move", fair.greatest_move), named("mean_move", fair.mean_move))));
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(std::move(fair.mesh));
   context.progress.report(1);
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const Operation> fair_operation() {
+  return operation_of(
+      {"fair",
+       1,
+       "Even Out",
+       "Moves the points of a cage so that its Doo-Sabin surface bends less and more evenly.",
+       {{"cage", ValueType::Mesh, "Polygons with their tags; pins, boundaries and sharp edges hold."}, tags_input()},
+       {{"mesh", ValueType::Mesh, "The cage with moved points, and its tags."},
+        {"details", ValueType::Report, "How far points moved, and how much less the surface bends."}}},
+      list_fair_parameters, compute_fair);
 }
 
 }  // namespace croquis

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/fill_operation.h"
-
 #include <memory>
 #include <span>
 #include <string>
@@ -11,6 +9,7 @@
 #include "operators/fill_report.h"
 #include "operators/fill_settings.h"
 #include "operators/memo_stage_cache.h"
+#include "operators/operations.h"
 
 namespace croquis {
 namespace {
@@ -76,40 +75,38 @@ OperationResult remesh_scan(const std::shared_ptr<const PolyMesh>& scan, const F
   return outputs_of(made, std::move(details));
 }
 
-}  // namespace
-
-OperationDescription FillOperation::describe() const {
-  PortDescription scan{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."};
-  scan.is_raw = true;
-  PortDescription mesh{"mesh", ValueType::Mesh,
-                       "The scan's vertices and faces, then those of the patches, or the model remeshed: faces tell "
-                       "theirs by patch_id, vertices "
-                       "how well the surface around backs them by confidence."};
-  mesh.joins_seams = true;
-  return {
-      "fill",
-      1,
-      "Fill Holes",
-      "Closes the holes of a scan by patches that continue the surface and leaves everything else as it is, or "
-      "remeshes "
-      "the whole model.",
-      {std::move(scan)},
-      {std::move(mesh),
-       {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},
-       {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
-      fill_parameters(),
-      "list"};
-}
-
-OperationResult FillOperation::compute(const Values& inputs, const ParameterValues& parameters,
-                                       Context& context) const {
+OperationResult compute_fill(const Values& inputs, const ParameterValues& parameters, Context& context) {
   const auto scan = inputs.at("scan").as<PolyMesh>();
   const FillSettings settings = read_fill_settings(parameters);
   OperationResult result = settings.list_only ? list_holes(scan, settings.options.fill, context.progress)
                            : settings.remesh  ? remesh_scan(scan, settings, context)
                                               : patch_holes(scan, settings, context);
-  result.warnings.insert(result.warnings.begin(), settings.warnings.begin(), settings.warnings.end());
+  if (settings.list_only) return result;
+  const Findings unused = unused_parameters(parameters);
+  result.warnings.insert(result.warnings.begin(), unused.begin(), unused.end());
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const Operation> fill_operation() {
+  OperationDescription description{
+      "fill",
+      1,
+      "Fill Holes",
+      "Closes the holes of a scan by patches that continue the surface and leaves everything else as it is, or "
+      "remeshes the whole model.",
+      {{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."}},
+      {{"mesh", ValueType::Mesh,
+        "The scan's vertices and faces, then those of the patches, or the model remeshed: faces tell theirs by "
+        "patch_id, vertices how well the surface around backs them by confidence."},
+       {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},
+       {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
+      parameters_of(list_fill_parameters),
+      "list"};
+  description.inputs.front().is_raw = true;
+  description.outputs.front().joins_seams = true;
+  return std::make_unique<Operation>(std::move(description), compute_fill);
 }
 
 }  // namespace croquis

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,29 +15,12 @@
 namespace croquis {
 namespace {
 
-using hole_filling::DomainPointCounts;
 using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleAnalysis;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
-using remeshing::RemeshChecks;
 using remeshing::RemeshResult;
-
-constexpr double degrees = 180 / std::numbers::pi;
-
-Report text_or_null(const std::string& text) { return text.empty() ? Report() : Report(text); }
-
-Report triple(const Vec3& vector) { return Report::list(std::array{vector.x(), vector.y(), vector.z()}); }
-
-const char* action_word(HoleState state) {
-  switch (state) {
-    case HoleState::Open: return to_string(FillAction::Leave);
-    case HoleState::Filled: return to_string(FillAction::Fill);
-    case HoleState::Failed: return to_string(FillAction::Failed);
-  }
-  return "";
-}
 
 HoleState state_of(FillAction action) {
   switch (action) {
@@ -50,8 +32,6 @@ HoleState state_of(FillAction action) {
 }
 
 std::optional<double> known(double number) { return std::isnan(number) ? std::nullopt : std::optional(number); }
-
-Report number_or_null(const std::optional<double>& number) { return number ? Report(*number) : Report(); }
 
 HoleRow row_of(const Hole& hole, const HoleOutcome& outcome) {
   HoleRow row;
@@ -79,27 +59,6 @@ std::vector<HoleRow> rows_of(std::span<const Hole> holes, std::span<const HoleOu
   std::vector<HoleRow> rows;
   for (const Hole& hole : holes) rows.push_back(row_of(hole, outcomes[hole.id]));
   return rows;
-}
-
-Report hole_entry(const HoleRow& hole) {
-  Report entry;
-  entry.set("id", hole.id)
-      .set("class", to_string(hole.kind))
-      .set("boundary_edges", hole.edges)
-      .set("perimeter", hole.perimeter)
-      .set("diameter", hole.diameter)
-      .set("area", hole.area)
-      .set("action", action_word(hole.state))
-      .set("method", text_or_null(hole.method))
-      .set("reason", text_or_null(hole.reason))
-      .set("max_normal_jump", hole.angle ? Report(*hole.angle * degrees) : Report())
-      .set("confidence", number_or_null(hole.confidence))
-      .set("at", triple(hole.at))
-      .set("normal", triple(hole.normal))
-      .set("companions", Report::list(hole.companions))
-      .set("patch", hole.patch ? Report(*hole.patch) : Report())
-      .set("error_estimate", number_or_null(hole.expected_error));
-  return entry;
 }
 
 std::size_t count_of(std::span<const HoleRow> holes, HoleState state) {
@@ -146,35 +105,21 @@ std::size_t open_edges_of(const PolyMesh& mesh) {
   return open;
 }
 
-Report points_entry(const DomainPointCounts& counts) {
-  Report points;
-  return std::move(points.set("min", counts.min).set("median", counts.median).set("max", counts.max));
-}
-
-Report checks_of(const RemeshChecks& made) {
-  Report checks;
-  return std::move(checks.set("manifold", made.manifold)
-                       .set("components", made.components)
-                       .set("open_loops", made.open_loops)
-                       .set("failed_loops", made.failed_loops)
-                       .set("repaired_loops", made.repaired_loops)
-                       .set("self_intersections", made.self_intersections)
-                       .set("far_from_scan", made.far_share));
-}
-
 Report checks_of(const FillResult& result) {
-  if (result.remeshed) return checks_of(result.remeshed->checks);
-  Report checks;
-  return std::move(checks.set("outside_unchanged", result.outside_unchanged));
-}
-
-Report to_report(const OpenEdges& edges) {
-  Report report;
-  return std::move(
-      report.set("before", edges.before).set("after", edges.after).set("loose", edges.loose).set("seams", edges.seams));
+  if (!result.remeshed) return to_report(fields(named("outside_unchanged", result.outside_unchanged)));
+  const remeshing::RemeshChecks& made = result.remeshed->checks;
+  return to_report(fields(
+      named("manifold", made.manifold), named("components", made.components), named("open_loops", made.open_loops),
+      named("failed_loops", made.failed_loops), named("repaired_loops", made.repaired_loops),
+      named("self_intersections", made.self_intersections), named("far_from_scan", made.far_share)));
 }
 
 }  // namespace
+
+const char* to_string(HoleState state) {
+  constexpr std::array<FillAction, 3> actions = {FillAction::Leave, FillAction::Fill, FillAction::Failed};
+  return to_string(actions[static_cast<std::size_t>(state)]);
+}
 
 FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_filling::FillResult& filled) {
   FillResult result;
@@ -223,21 +168,18 @@ FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, const HoleAna
 }
 
 Report to_report(const FillResult& result) {
-  const auto& remeshed = result.remeshed;
-  Report list = Report::array();
-  for (const HoleRow& hole : result.holes) list.push(hole_entry(hole));
-  Report details;
-  details.set("summary", hole_sentence(result) + edge_sentences(result))
-      .set("holes", std::move(list))
-      .set("open_edges", to_report(result.open_edges))
-      .set("domains", result.listed ? Report() : Report(result.domains))
-      .set("points_per_domain", result.domains > 0 ? points_entry(result.points_per_domain) : Report())
-      .set("new_vertices", result.new_vertices)
-      .set("new_faces", result.new_faces)
-      .set("untouched_vertices", result.untouched_vertices)
-      .set("removed_faces", result.removed_faces)
-      .set("closed_rims", result.listed ? std::size_t{0} : count_of(result.holes, HoleState::Filled));
-  if (remeshed)
+  const hole_filling::DomainPointCounts& points = result.points_per_domain;
+  Report details = to_report(fields(
+      named("summary", hole_sentence(result) + edge_sentences(result)), named("holes", result.holes),
+      named("open_edges", result.open_edges), named("domains", result.listed ? Report() : Report(result.domains)),
+      named("points_per_domain",
+            result.domains > 0
+                ? to_report(fields(named("min", points.min), named("median", points.median), named("max", points.max)))
+                : Report()),
+      named("new_vertices", result.new_vertices), named("new_faces", result.new_faces),
+      named("untouched_vertices", result.untouched_vertices), named("removed_faces", result.removed_faces),
+      named("closed_rims", result.listed ? std::size_t{0} : count_of(result.holes, HoleState::Filled))));
+  if (const auto& remeshed = result.remeshed)
     details.set("predicted_bytes", remeshed->predicted_bytes)
         .set("predicted_faces", remeshed->predicted_faces)
         .set("full_faces", remeshed->full_faces);
@@ -245,13 +187,7 @@ Report to_report(const FillResult& result) {
   return details;
 }
 
-std::size_t byte_size(const FillResult& result) {
-  std::size_t bytes = sizeof(FillResult) + result.holes.capacity() * sizeof(HoleRow);
-  for (const HoleRow& hole : result.holes) {
-    bytes += hole.method.capacity() + hole.reason.capacity() + hole.companions.capacity() * sizeof(Index);
-  }
-  return bytes;
-}
+std::size_t byte_size(const FillResult& result) { return sizeof result + heap_size(result.holes); }
 
 PolyMesh rim_lines(const PolyMesh& scan, std::span<const Hole> holes) {
   PolyMesh rims;

@@ -17,132 +17,16 @@ namespace {
 using hole_filling::Fairness;
 using hole_filling::FillOptions;
 using hole_filling::HoleRequest;
-using hole_filling::Precision;
-using hole_filling::Preset;
-using implicit::Kernel;
 using remeshing::RemeshOptions;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Which holes, and what of them.
-std::vector<ParameterDescription> hole_parameters() {
-  return {
-      choice_parameter(
-          "mode", {"patch", "remesh"},
-          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function.")
-          .titled("Method", {"patches", "a new mesh"}),
-      choice_parameter(
-          "select", {selection_names.begin(), selection_names.end()},
-          "inner fills all holes that don't look like the border of an open surface; none only those that holes "
-          "names.")
-          .titled("Fill", {"inner holes", "all holes", "all but the largest", "none"}),
-      list_parameter("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5.")
-          .at(ParameterPlace::Nowhere),
-      number_parameter("max-diameter", 0, 0, unlimited, "model units", "Wider holes stay open; 0 for no limit.")
-          .titled("Widest hole"),
-      number_parameter("weld", hole_filling::usual_weld_tolerance, 0, 0.01, "× diagonal",
-                       "Vertices of rims so near to each other count as one, if the edges there are longer; the scan "
-                       "keeps them as they are. 0: only those at one place.")
-          .titled("Join edges within"),
-      list_parameter(
-          "holes",
-          "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, "
-          "leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.")
-          .at(ParameterPlace::Nowhere)};
-}
+/// What fairness_names stand for.
+constexpr std::array<Fairness, 3> fillings = {Fairness::Implicit, Fairness::Tangent, Fairness::Flat};
 
-ParameterDescription fill_preset_choice() {
-  ParameterDescription preset =
-      choice_parameter(
-          "preset", {"auto", "standard", "paper", "sharp", "noisy"},
-          "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
-          "parts, where creases go on in holes of any size, noisy for rough scans; paper for comparison with Yoo 2005.")
-          .titled("The scan is", {"usual", "smooth", "as published in 2005", "a machined part", "rough"});
-  preset.presets["paper"] = {{"kernel", std::string("thin-plate")},
-                             {"overlap", remeshing::remesh_preset(Preset::Paper).overlap}};
-  preset.presets["sharp"] = {{"cell", remeshing::remesh_preset(Preset::Sharp).cell}};
-  return preset;
-}
-
-std::vector<ParameterDescription> patch_parameters() {
-  return {
-      choice_parameter("fairness", {"auto", "rbf", "smooth", "flat"},
-                       "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
-                       "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere.")
-          .titled("Patches", {"best for each hole", "continue the surface", "smooth", "flat"}),
-      choice_parameter(
-          "kernel", {kernel_names.begin(), kernel_names.end()},
-          "The functions of rbf: hermite takes normals along, the others points beside the surface; thin-plate "
-          "with the preset paper.")
-          .titled("Function", {"with normals", "triharmonic", "biharmonic", "thin plate"})
-          .at(ParameterPlace::Expert),
-      fill_preset_choice(),
-      number_parameter("bulge", 0, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0.")
-          .titled("Bulge"),
-      integer_parameter("trim-rim", 0, 0, 3, "rings of faces",
-                        "Removes so much of the scan along the rims that are filled, where scans are worst.")
-          .titled("Trim edge")};
-}
-
-std::vector<ParameterDescription> remesh_parameters() {
-  return {
-      number_parameter("overlap", 0.25, 0, 1, "× domain",
-                       "remesh: how much larger domains are than their boxes; 0.1 with the preset paper.")
-          .titled("New mesh: overlap")
-          .at(ParameterPlace::Expert),
-      text_parameter("points-per-domain", "30:300", "remesh: least and most points of a domain, MIN:MAX.")
-          .at(ParameterPlace::Nowhere),
-      integer_parameter("smoothing", 2, 0, 20, "rounds",
-                        "remesh: how often the triangles are evened out on the surface.")
-          .titled("New mesh: evened out"),
-      integer_parameter("refine", 0, 0, 4, "times", "remesh: how often every triangle is cut in four.")
-          .titled("New mesh: each triangle cut in four"),
-      number_parameter("cell", 1, 0.1, 10, "× mean edge",
-                       "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the "
-                       "preset sharp.")
-          .titled("New mesh: edges"),
-      number_parameter("adaptive", 0, 0, 1, "× cell",
-                       "remesh: fewer faces where the surface is flat: they are merged as long as the surface stays "
-                       "this near to what it was. 0: none are; 0.1 is usual.")
-          .titled("New mesh: fewer faces where flat")};
-}
-
-/// How much memory the result may take, and what is kept in it.
-std::vector<ParameterDescription> result_parameters() {
-  return {
-      number_parameter("memory-limit", 0, 0, unlimited, "MiB",
-                       "A mesh that would take more is refused before anything is allocated; 0 for no limit.")
-          .titled("Most memory")
-          .at(ParameterPlace::Expert),
-      choice_parameter("precision", {"double", "single"},
-                       "How coordinates will be stored, by which patches are judged; files of single numbers set it.")
-          .at(ParameterPlace::Nowhere),
-      flag_parameter(
-          "patch-ids", true,
-          "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
-          "files other than PLY can't hold them.")
-          .titled("Mark patches")
-          .at(ParameterPlace::Expert),
-      flag_parameter("list", false, "Only list the holes and which of them would be filled; write nothing.")};
-}
-
-Fairness fairness_of(std::string_view name) {
-  if (name == "smooth") return Fairness::Tangent;
-  return name == "flat" ? Fairness::Flat : Fairness::Implicit;
-}
-
-Kernel kernel_of(std::string_view name) {
-  constexpr std::array<Kernel, 4> kernels = {Kernel::Hermite, Kernel::Triharmonic, Kernel::Biharmonic,
-                                             Kernel::ThinPlate};
-  return kernels[static_cast<std::size_t>(std::find(kernel_names.begin(), kernel_names.end(), name) -
-                                          kernel_names.begin())];
-}
-
-Preset preset_of(const std::string& name) {
-  if (name == "paper") return Preset::Paper;
-  if (name == "sharp") return Preset::Sharp;
-  if (name == "noisy") return Preset::Noisy;
-  return name == "standard" ? Preset::Standard : Preset::Auto;
+template <std::size_t size>
+std::size_t place_of(const std::array<std::string_view, size>& names, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
 HoleRequest request_of(const HoleWish& wish) {
@@ -152,21 +36,12 @@ HoleRequest request_of(const HoleWish& wish) {
   request.holes.erase(std::unique(request.holes.begin(), request.holes.end()), request.holes.end());
   request.bridge = wish.bridge;
   request.fill = wish.fill;
-  if (!wish.fairness.empty()) request.fairness = fairness_of(wish.fairness);
-  if (!wish.kernel.empty()) request.kernel = kernel_of(wish.kernel);
+  if (!wish.fairness.empty()) request.fairness = fillings[place_of(fairness_names, wish.fairness)];
+  if (!wish.kernel.empty()) request.kernel = static_cast<implicit::Kernel>(place_of(kernel_names, wish.kernel));
   request.bulge = wish.bulge;
   if (wish.trim_rim) request.trim_rim = static_cast<int>(*wish.trim_rim);
   request.through = wish.through;
   return request;
-}
-
-void read_shape(const ParameterValues& parameters, FillOptions& options) {
-  options.fairness = fairness_of(text_of(parameters, "fairness"));
-  options.flat_caps = text_of(parameters, "fairness") == "auto";
-  options.preset = preset_of(text_of(parameters, "preset"));
-  options.implicit.kernel = kernel_of(text_of(parameters, "kernel"));
-  options.bulge = number_of(parameters, "bulge");
-  options.trim_rim = static_cast<int>(integer_of(parameters, "trim-rim"));
 }
 
 std::optional<std::size_t> count_in(std::string_view word) {
@@ -181,82 +56,162 @@ void read_point_range(const std::string& range, RemeshOptions& options) {
   const auto low = count_in(std::string_view(range).substr(0, colon));
   const auto high = colon < range.size() ? count_in(std::string_view(range).substr(colon + 1)) : std::nullopt;
   if (!low || !high || *low < fewest || *high < *low || *high > most)
-    throw Error(make_error(Category::Usage, "E_PARAMETER",
-                           "'" + range +
-                               "' is no value for points-per-domain: it takes the least and the most points, "
-                               "4 to 2000, such as 30:300.",
-                           {{SubjectKind::Parameter, "points-per-domain", {}, {}, {}}}));
+    throw Error(refused_value("points-per-domain", range, "the least and the most points, 4 to 2000, such as 30:300"));
   options.min_points = *low;
   options.max_points = *high;
 }
 
-RemeshOptions mode_options(const ParameterValues& parameters, bool remesh) {
-  RemeshOptions options = remesh ? remeshing::remesh_preset(preset_of(text_of(parameters, "preset"))) : RemeshOptions();
-  options.overlap = number_of(parameters, "overlap");
-  read_point_range(text_of(parameters, "points-per-domain"), options);
-  options.smoothing = static_cast<int>(integer_of(parameters, "smoothing"));
-  options.refine = static_cast<int>(integer_of(parameters, "refine"));
-  options.cell = number_of(parameters, "cell");
-  options.adaptive = number_of(parameters, "adaptive");
-  constexpr double mebibyte = 1024 * 1024;
-  options.memory_limit = static_cast<std::size_t>(std::min(number_of(parameters, "memory-limit") * mebibyte, 1e18));
-  return options;
+template <std::size_t size>
+std::vector<std::string> words(const std::array<std::string_view, size>& names) {
+  return {names.begin(), names.end()};
 }
 
-/// What only one of the modes looks at.
-constexpr std::array<const char*, 6> remesh_alone = {"overlap", "points-per-domain", "smoothing", "refine",
-                                                     "cell",    "adaptive"};
-constexpr std::array<const char*, 2> patch_alone = {"bulge", "trim-rim"};
+/// Which holes, and what of them.
+void list_hole_parameters(FillSettings& settings, ParameterList& list) {
+  FillOptions& fill = settings.options.fill;
+  list.choice(
+          "mode", settings.remesh, {"patch", "remesh"},
+          "patch closes holes and changes nothing else; remesh makes all of it of new triangles, from one function.")
+      .titled("Method", {"patches", "a new mesh"});
+  list.choice("select", fill.selection, words(selection_names),
+              "inner fills all holes that don't look like the border of an open surface; none only those that holes "
+              "names.")
+      .titled("Fill", {"inner holes", "all holes", "all but the largest", "none"});
+  list.list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5.",
+            [&](const std::string& ids) { fill.only = parse_hole_ids(ids); })
+      .at(ParameterPlace::Nowhere);
+  list.number("max-diameter", settings.max_diameter, unlimited, "model units", "Wider holes stay open; 0 for no limit.")
+      .titled("Widest hole");
+  list.number("weld", fill.analysis.weld_tolerance, 0, 0.01, "× diagonal",
+              "Vertices of rims so near to each other count as one, if the edges there are longer; the scan keeps them "
+              "as they are. 0: only those at one place.")
+      .titled("Join edges within");
+  list.add(list_parameter("holes",
+                          "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. "
+                          "Words: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through "
+                          "X Y Z."),
+           [&](const ParameterValue& given) {
+             for (const HoleWish& wish : wishes_in(given)) fill.requests.push_back(request_of(wish));
+           })
+      .at(ParameterPlace::Nowhere);
+}
 
-Findings unused_parameters(const ParameterValues& parameters, bool remesh) {
-  std::string names;
-  std::vector<Subject> subjects;
-  const ParameterValues plain = complete(fill_parameters(), {{"preset", parameters.at("preset")}});
-  const auto look_at = [&](const char* name) {
-    if (parameters.at(name) == plain.at(name)) return;  // without an effect in either mode
-    names += (names.empty() ? "" : ", ") + std::string(name);
-    subjects.push_back({SubjectKind::Parameter, name, {}, {}, {}});
-  };
-  if (remesh)
-    std::ranges::for_each(patch_alone, look_at);
-  else
-    std::ranges::for_each(remesh_alone, look_at);
-  if (subjects.empty()) return {};
-  const std::string mode = remesh ? "remesh" : "patch";
-  return {make_warning(Category::Usage, "W_PARAMETER_UNUSED", "Not looked at in mode " + mode + ": " + names + ".",
-                       std::move(subjects))};
+void list_patch_parameters(FillSettings& settings, ParameterList& list) {
+  FillOptions& fill = settings.options.fill;
+  list.choice_of("fairness", 0, {"auto", "rbf", "smooth", "flat"},
+                 "rbf continues the surface around by functions fitted to it, smooth its tangents; flat adds no "
+                 "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere.",
+                 [&](std::size_t chosen) {
+                   fill.flat_caps = chosen == 0;
+                   fill.fairness = fillings[chosen == 0 ? 0 : chosen - 1];
+                 })
+      .titled("Patches", {"best for each hole", "continue the surface", "smooth", "flat"});
+  list.choice("kernel", fill.implicit.kernel, words(kernel_names),
+              "The functions of rbf: hermite takes normals along, the others points beside the surface; thin-plate "
+              "with the preset paper.")
+      .titled("Function", {"with normals", "triharmonic", "biharmonic", "thin plate"})
+      .at(ParameterPlace::Expert);
+  list.choice_of(
+          "preset", 0, {"auto", "standard", "paper", "sharp", "noisy"},
+          "What is scanned: auto continues creases that run into a hole, standard rounds them; sharp for machined "
+          "parts, where creases go on in holes of any size, noisy for rough scans; paper for comparison with Yoo 2005.",
+          [&](std::size_t preset) {
+            settings.options = remeshing::remesh_preset(static_cast<hole_filling::Preset>(preset));
+          })
+      .titled("The scan is", {"usual", "smooth", "as published in 2005", "a machined part", "rough"})
+      .sets_others();
+  list.number("bulge", fill.bulge, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0.")
+      .titled("Bulge");
+  list.integer("trim-rim", fill.trim_rim, 0, 3, "rings of faces",
+               "Removes so much of the scan along the rims that are filled, where scans are worst.")
+      .titled("Trim edge");
+}
+
+void list_remesh_parameters(RemeshOptions& options, ParameterList& list) {
+  list.number("overlap", options.overlap, 0, 1, "× domain",
+              "remesh: how much larger domains are than their boxes; 0.1 with the preset paper.")
+      .titled("New mesh: overlap")
+      .at(ParameterPlace::Expert);
+  list.text("points-per-domain", "30:300", "remesh: least and most points of a domain, MIN:MAX.",
+            [&](const std::string& range) { read_point_range(range, options); })
+      .at(ParameterPlace::Nowhere);
+  list.integer("smoothing", options.smoothing, 0, 20, "rounds",
+               "remesh: how often the triangles are evened out on the surface.")
+      .titled("New mesh: evened out");
+  list.integer("refine", options.refine, 0, 4, "times", "remesh: how often every triangle is cut in four.")
+      .titled("New mesh: each triangle cut in four");
+  list.number("cell", options.cell, 0.1, 10, "× mean edge",
+              "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the preset sharp.")
+      .titled("New mesh: edges");
+  list.number(
+          "adaptive", options.adaptive, 0, 1, "× cell",
+          "remesh: fewer faces where the surface is flat: they are merged as long as the surface stays this near to "
+          "what it was. 0: none are; 0.1 is usual.")
+      .titled("New mesh: fewer faces where flat");
+}
+
+/// How much memory the result may take, and what is kept in it.
+void list_result_parameters(FillSettings& settings, ParameterList& list) {
+  FillOptions& fill = settings.options.fill;
+  list.number("memory-limit", settings.memory_limit, unlimited, "MiB",
+              "A mesh that would take more is refused before anything is allocated; 0 for no limit.")
+      .titled("Most memory")
+      .at(ParameterPlace::Expert);
+  list.choice("precision", fill.precision, {"double", "single"},
+              "How coordinates will be stored, by which patches are judged; files of single numbers set it.")
+      .at(ParameterPlace::Nowhere);
+  list.flag("patch-ids", fill.mark_patches,
+            "Mark each face with the number of its patch, -1 for the scan's own, and each vertex with a confidence; "
+            "files other than PLY can't hold them.")
+      .titled("Mark patches")
+      .at(ParameterPlace::Expert);
+  list.flag("list", settings.list_only, "Only list the holes and which of them would be filled; write nothing.");
 }
 
 }  // namespace
 
-std::vector<ParameterDescription> fill_parameters() {
-  std::vector<ParameterDescription> all;
-  for (const auto& group : {hole_parameters(), patch_parameters(), remesh_parameters(), result_parameters()})
-    all.insert(all.end(), group.begin(), group.end());
-  return all;
+void list_fill_parameters(FillSettings& settings, ParameterList& list) {
+  list_hole_parameters(settings, list);
+  list_patch_parameters(settings, list);
+  list_remesh_parameters(settings.options, list);
+  list_result_parameters(settings, list);
 }
 
 FillSettings read_fill_settings(const ParameterValues& parameters) {
-  FillSettings settings;
-  settings.remesh = text_of(parameters, "mode") == "remesh";
-  settings.options = mode_options(parameters, settings.remesh);
-  FillOptions& options = settings.options.fill;
-  FillChoice choice = read_fill_choice(parameters);
-  options.selection = choice.select;
-  options.only = std::move(choice.only);
-  if (const double limit = number_of(parameters, "max-diameter"); limit > 0) options.max_diameter = limit;
-  for (const HoleWish& wish : choice.wishes) options.requests.push_back(request_of(wish));
-  options.analysis.weld_tolerance = number_of(parameters, "weld");
-  read_shape(parameters, options);
-  if (settings.remesh)
-    options.flat_caps = true;  // fairness is of patches
-  else
-    options.memory_limit = settings.options.memory_limit;
-  if (text_of(parameters, "precision") == "single") options.precision = Precision::Single;
-  options.mark_patches = flag_of(parameters, "patch-ids");
-  settings.list_only = flag_of(parameters, "list");
-  if (!settings.list_only) settings.warnings = unused_parameters(parameters, settings.remesh);
+  auto settings = settings_of(list_fill_parameters, parameters);
+  FillOptions& fill = settings.options.fill;
+  if (settings.max_diameter) fill.max_diameter = *settings.max_diameter;
+  constexpr double mebibyte = 1024 * 1024;
+  const auto limit = static_cast<std::size_t>(std::min(settings.memory_limit.value_or(0) * mebibyte, 1e18));
+  if (settings.remesh) {
+    settings.options.memory_limit = limit;
+    fill.flat_caps = true;  // fairness is of patches
+  } else {
+    fill.memory_limit = limit;
+    const implicit::Kernel kernel = fill.implicit.kernel;
+    fill.implicit = {};  // patches follow how rough the surface around them is by themselves
+    fill.implicit.kernel = kernel;
+  }
   return settings;
+}
+
+Findings unused_parameters(const ParameterValues& parameters) {
+  const bool remesh = text_of(parameters, "mode") == "remesh";
+  const std::vector<const char*> looked_at_by_the_other =
+      remesh ? std::vector{"bulge", "trim-rim"}
+             : std::vector{"overlap", "points-per-domain", "smoothing", "refine", "cell", "adaptive"};
+  const ParameterValues plain = complete(parameters_of(list_fill_parameters), {{"preset", parameters.at("preset")}});
+  std::string names;
+  std::vector<Subject> subjects;
+  for (const char* name : looked_at_by_the_other) {
+    if (parameters.at(name) == plain.at(name)) continue;  // without an effect in either mode
+    names += (names.empty() ? "" : ", ") + std::string(name);
+    subjects.push_back({SubjectKind::Parameter, name, {}, {}, {}});
+  }
+  if (subjects.empty()) return {};
+  return {make_warning(Category::Usage, "W_PARAMETER_UNUSED",
+                       "Not looked at in mode " + std::string(remesh ? "remesh" : "patch") + ": " + names + ".",
+                       std::move(subjects))};
 }
 
 }  // namespace croquis

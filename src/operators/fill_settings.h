@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
-#include <vector>
 
 #include "croquis/base/finding.h"
-#include "croquis/base/parameter.h"
+#include "croquis/base/parameter_list.h"
 #include "croquis/remeshing/remesh.h"
 
 namespace croquis {
@@ -16,18 +16,22 @@ inline constexpr std::array<std::string_view, 4> selection_names = {"inner", "al
 inline constexpr std::array<std::string_view, 3> fairness_names = {"rbf", "smooth", "flat"};
 inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "triharmonic", "biharmonic", "thin-plate"};
 
-/// The parameters of `fill`, parsed.
+/// What people set of `fill`.
 struct FillSettings {
-  remeshing::RemeshOptions options;  ///< of both modes: patches go by options.fill alone
-  bool remesh = false;               ///< the whole model is remeshed
-  bool list_only = false;            ///< holes are looked at, none is filled
-  Findings warnings;                 ///< W_PARAMETER_UNUSED
+  remeshing::RemeshOptions options;                  ///< of both modes: patches go by options.fill alone
+  bool remesh = false;                               ///< the whole model is remeshed
+  bool list_only = false;                            ///< holes are looked at, none is filled
+  std::optional<double> max_diameter, memory_limit;  ///< model units, MiB
 };
 
-std::vector<ParameterDescription> fill_parameters();
+void list_fill_parameters(FillSettings& settings, ParameterList& list);
 
+/// The settings with what follows from the mode.
 /// @param parameters complete (see croquis::complete)
 /// @throws Error (E_PARAMETER) for a list of ids, wishes for single holes or a range of points that can't be read
 FillSettings read_fill_settings(const ParameterValues& parameters);
+
+/// At most one W_PARAMETER_UNUSED: parameters that are given and that the mode doesn't look at.
+Findings unused_parameters(const ParameterValues& parameters);
 
 }  // namespace croquis

@@ -13,15 +13,11 @@
 #include "croquis/base/limits.h"
 #include "croquis/base/text.h"
 #include "operators/fill_settings.h"
-#include "operators/hole_ids.h"
 
 namespace croquis {
 namespace {
 
 using hole_filling::Selection;
-
-constexpr std::array<Selection, 4> selections = {Selection::Inner, Selection::All, Selection::AllButLargest,
-                                                 Selection::None};
 
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::string_view separators_of_ids = ",+ \t\r\n";
@@ -132,12 +128,6 @@ std::vector<std::string> parts_of(const HoleWish& wish) {
   return parts;
 }
 
-std::vector<HoleWish> wishes_in(const ParameterValue& value) {
-  const auto* written = std::get_if<ParsedText>(&value);
-  const auto* wishes = written == nullptr ? nullptr : written->value<std::vector<HoleWish>>();
-  return wishes == nullptr ? parse_hole_wishes(to_text(value)) : *wishes;
-}
-
 ParameterValue value_of(const std::vector<HoleWish>& wishes) {
   std::string words = to_text(wishes);
   if (words.empty()) return words;
@@ -145,6 +135,28 @@ ParameterValue value_of(const std::vector<HoleWish>& wishes) {
 }
 
 }  // namespace
+
+std::vector<HoleWish> wishes_in(const ParameterValue& value) {
+  const auto* written = std::get_if<ParsedText>(&value);
+  const auto* wishes = written == nullptr ? nullptr : written->value<std::vector<HoleWish>>();
+  return wishes == nullptr ? parse_hole_wishes(to_text(value)) : *wishes;
+}
+
+std::vector<Index> parse_hole_ids(const std::string& text) {
+  const auto refused = [](std::string_view word) {
+    return refused_value("only", word, "the numbers of holes, counted from 0, such as 0,3-5");
+  };
+  std::vector<Index> ids;
+  Findings findings;
+  for (const std::string_view word : text_parts(text, ",; ")) {
+    if (!append_indices(word, ids)) findings.push_back(refused(word));
+  }
+  if (ids.empty() && findings.empty() && !text.empty()) findings.push_back(refused(text));
+  if (!findings.empty()) throw Error(std::move(findings));
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
 
 std::vector<HoleWish> parse_hole_wishes(const std::string& text) {
   std::vector<HoleWish> wishes;
@@ -167,9 +179,8 @@ std::string to_text(std::span<const HoleWish> wishes) {
 }
 
 Selection parse_selection(std::string_view name) {
-  const auto found = std::find(selection_names.begin(), selection_names.end(), name);
-  if (found == selection_names.end()) return Selection::Inner;
-  return selections[static_cast<std::size_t>(found - selection_names.begin())];
+  const auto found = std::ranges::find(selection_names, name);
+  return found == selection_names.end() ? Selection::Inner : static_cast<Selection>(found - selection_names.begin());
 }
 
 FillChoice read_fill_choice(const ParameterValues& parameters) {
@@ -181,8 +192,7 @@ FillChoice read_fill_choice(const ParameterValues& parameters) {
 }
 
 ParameterValues to_parameters(const FillChoice& choice) {
-  const auto name = std::find(selections.begin(), selections.end(), choice.select) - selections.begin();
-  return {{"select", std::string(selection_names[static_cast<std::size_t>(name)])},
+  return {{"select", std::string(selection_names[static_cast<std::size_t>(choice.select)])},
           {"only", index_list_text(choice.only, ',')},
           {"holes", value_of(choice.wishes)}};
 }

@@ -38,7 +38,8 @@ void add_arcs(const LabelledFigure& figure, std::size_t first_contour, std::vect
 
 void add_overlaps(const LabelledFigure& figure, InflateResult& result) {
   for (const silhouette::FigureOverlap& overlap : figure.overlaps) {
-    StrandOverlap strands{overlap.at, figure.objects[overlap.upper].name, figure.objects[overlap.lower].name, {}};
+    StrandOverlap strands{
+        result.overlaps.size(), overlap.at, figure.objects[overlap.upper].name, figure.objects[overlap.lower].name, {}};
     for (const Index k : overlap.crossings) strands.crossings.push_back(figure.points[figure.crossings[k].vertex]);
     result.overlaps.push_back(std::move(strands));
   }
@@ -69,104 +70,6 @@ void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const So
   result.diagnostics = solid.diagnostics;
 }
 
-Report object_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const InflatedObject& object : result.objects) {
-    Report entry;
-    entry.set("name", object.name)
-        .set("strokes", Report::list(object.strokes))
-        .set("euler_region", object.euler_region)
-        .set("euler_mesh", object.euler_mesh)
-        .set("thickness", object.thickness);
-    list.push(std::move(entry));
-  }
-  return list;
-}
-
-/// In the sketch's own frame, y down.
-Report place(const Vec2& at) { return Report::list(std::vector<double>{at.x(), -at.y()}); }
-
-std::string word_of(silhouette::Hold hold) {
-  if (hold == silhouette::Hold::Joined) return "joined";
-  return hold == silhouette::Hold::Resting ? "resting" : "apart";
-}
-
-Report overlap_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (std::size_t index = 0; index < result.overlaps.size(); ++index) {
-    const StrandOverlap& overlap = result.overlaps[index];
-    Report crossings = Report::array();
-    for (const Vec2& corner : overlap.crossings) crossings.push(place(corner));
-    Report entry;
-    entry.set("index", index)
-        .set("at", place(overlap.at))
-        .set("upper", overlap.upper)
-        .set("lower", overlap.lower)
-        .set("crossings", std::move(crossings));
-    list.push(std::move(entry));
-  }
-  return list;
-}
-
-Report joint_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const SuggestedJoint& joint : result.suggested) {
-    Report entry;
-    entry.set("a", joint.a).set("b", joint.b).set("at", place(joint.at)).set("hold", word_of(joint.hold));
-    list.push(std::move(entry));
-  }
-  return list;
-}
-
-Report shell_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const InflatedShell& shell : result.shells) {
-    Report entry;
-    list.push(std::move(entry.set("objects", Report::list(shell.objects)).set("euler_mesh", shell.euler_mesh)));
-  }
-  return list;
-}
-
-Report attached_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const silhouette::SolidAttachment& pair : result.attached) {
-    Report entry;
-    entry.set("a", pair.a).set("b", pair.b).set("kappa", pair.kappa).set("hold", word_of(pair.hold));
-    list.push(std::move(entry.set("blend", pair.blend)));
-  }
-  return list;
-}
-
-Report nested_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const NestedStroke& nested : result.nested) {
-    Report entry;
-    entry.set("stroke", nested.stroke)
-        .set("around", nested.around)
-        .set("kind", nested.hole ? "hole" : "part")
-        .set("chosen", nested.chosen)
-        .set("at", place(nested.at));
-    list.push(std::move(entry));
-  }
-  return list;
-}
-
-Report kind_map(const InflateResult& result) {
-  Report::Object members;
-  for (const auto& [stroke, kind] : result.kinds) members.emplace_back(stroke, silhouette::to_string(kind));
-  return Report::of_members(std::move(members));
-}
-
-Report view_crossing_list(const InflateResult& result) {
-  Report list = Report::array();
-  for (const StrokesInView& pair : result.crossings_in_view) {
-    Report entry;
-    entry.set("front", pair.front).set("behind", pair.behind).set("chosen", pair.chosen).set("at", place(pair.at));
-    list.push(std::move(entry));
-  }
-  return list;
-}
-
 /// How many arcs have 0, 1, 2 … surfaces in front.
 std::vector<std::size_t> depth_histogram(const std::vector<ArcLabel>& arcs) {
   std::vector<std::size_t> histogram;
@@ -176,12 +79,6 @@ std::vector<std::size_t> depth_histogram(const std::vector<ArcLabel>& arcs) {
     ++histogram[depth];
   }
   return histogram;
-}
-
-std::size_t bytes_of(const std::vector<std::string>& names) {
-  std::size_t bytes = names.capacity() * sizeof(std::string);
-  for (const std::string& name : names) bytes += name.capacity();
-  return bytes;
 }
 
 }  // namespace
@@ -202,54 +99,36 @@ InflateResult result_of_inflating(const Drawing& drawing, const LabelledDrawing&
 }
 
 Report to_report(const InflateResult& result) {
+  Report attached = Report::array();
+  for (const silhouette::SolidAttachment& pair : result.attached)
+    attached.push(to_report(fields(named("a", pair.a), named("b", pair.b), named("kappa", pair.kappa),
+                                   named("hold", word_of(pair.hold)), named("blend", pair.blend))));
   const std::vector<std::size_t> depths = depth_histogram(result.arcs);
-  Report solver;
-  solver.set("iterations", result.diagnostics.solver_iterations).set("residual", result.diagnostics.solver_residual);
-  Report details;
-  details.set("strokes", result.strokes)
-      .set("kinds", kind_map(result))
-      .set("used", result.used)
-      .set("objects", object_list(result))
-      .set("contours", result.contours)
-      .set("completions", result.completions)
-      .set("contours_completed", result.contours_completed)
-      .set("crossings", result.crossings)
-      .set("arcs", result.arcs.size())
-      .set("hidden_arcs", static_cast<std::size_t>(std::ranges::count(result.arcs, false, &ArcLabel::visible)))
-      .set("depth_histogram", Report::list(depths))
-      .set("panels", result.panels)
-      .set("components", result.components)
-      .set("max_depth", depths.empty() ? std::size_t{0} : depths.size() - 1)
-      .set("skeleton_vertices", result.diagnostics.skeleton_vertices)
-      .set("collision_constraints", result.diagnostics.collision_constraints)
-      .set("overlaps", overlap_list(result))
-      .set("shells", shell_list(result))
-      .set("attached", attached_list(result))
-      .set("attach_suggestions", joint_list(result))
-      .set("nested", nested_list(result))
-      .set("crossings_in_view", view_crossing_list(result))
-      .set("silhouette_iou", result.diagnostics.silhouette_iou)
-      .set("min_gap", result.diagnostics.minimum_gap)
-      .set("depth_ratio", result.diagnostics.depth_ratio)
-      .set("solver", std::move(solver));
-  if (result.carved) details.set("carved", *result.carved);
-  return details;
+  const silhouette::SolidDiagnostics& figures = result.diagnostics;
+  Report report = to_report(fields(
+      named("strokes", result.strokes), named("kinds", result.kinds), named("used", result.used),
+      named("objects", result.objects), named("contours", result.contours), named("completions", result.completions),
+      named("contours_completed", result.contours_completed), named("crossings", result.crossings),
+      named("arcs", result.arcs.size()),
+      named("hidden_arcs", std::ranges::count(result.arcs, false, &ArcLabel::visible)),
+      named("depth_histogram", depths), named("panels", result.panels), named("components", result.components),
+      named("max_depth", depths.empty() ? std::size_t{0} : depths.size() - 1),
+      named("skeleton_vertices", figures.skeleton_vertices),
+      named("collision_constraints", figures.collision_constraints), named("overlaps", result.overlaps),
+      named("shells", result.shells), named("attached", attached), named("attach_suggestions", result.suggested),
+      named("nested", result.nested), named("crossings_in_view", result.crossings_in_view),
+      named("silhouette_iou", figures.silhouette_iou), named("min_gap", figures.minimum_gap),
+      named("depth_ratio", figures.depth_ratio),
+      named("solver",
+            fields(named("iterations", figures.solver_iterations), named("residual", figures.solver_residual)))));
+  if (result.carved) report.set("carved", *result.carved);
+  return report;
 }
 
 std::size_t byte_size(const InflateResult& result) {
-  std::size_t bytes =
-      sizeof(InflateResult) + result.arcs.capacity() * sizeof(ArcLabel) +
-      result.objects.capacity() * sizeof(InflatedObject) + result.overlaps.capacity() * sizeof(StrandOverlap) +
-      result.shells.capacity() * sizeof(InflatedShell) +
-      result.attached.capacity() * sizeof(silhouette::SolidAttachment) +
-      result.suggested.capacity() * sizeof(SuggestedJoint) + result.nested.capacity() * sizeof(NestedStroke) +
-      result.crossings_in_view.capacity() * sizeof(StrokesInView) +
-      result.kinds.capacity() * sizeof(result.kinds.front());
-  for (const ArcLabel& arc : result.arcs) bytes += arc.object.capacity();
-  for (const InflatedObject& object : result.objects) bytes += object.name.capacity() + bytes_of(object.strokes);
-  for (const StrandOverlap& overlap : result.overlaps) bytes += overlap.crossings.capacity() * sizeof(Vec2);
-  for (const InflatedShell& shell : result.shells) bytes += bytes_of(shell.objects);
-  return bytes;
+  return sizeof result + heap_size(result.kinds) + heap_size(result.objects) + heap_size(result.arcs) +
+         heap_size(result.overlaps) + heap_size(result.shells) + heap_size(result.attached) +
+         heap_size(result.suggested) + heap_size(result.nested) + heap_size(result.crossings_in_view);
 }
 
 Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled, const std::vector<ArcLabel>& arcs) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/subdivide_operation.h"
-
 #include <numbers>
 #include <span>
 #include <utility>
@@ -13,8 +11,8 @@
 #include "croquis/subdivision/level_mesh.h"
 #include "croquis/subdivision/limit.h"
 #include "croquis/subdivision/shape_keeping.h"
+#include "operators/operations.h"
 #include "operators/subdivide_report.h"
-#include "operators/subdivide_settings.h"
 #include "operators/subdivide_tags.h"
 #include "operators/subdivision_plan.h"
 
@@ -23,16 +21,68 @@ namespace {
 
 using namespace subdivision;
 
+struct SubdivideSettings {
+  PlanSettings plan;
+  double sharp_angle = 0;                ///< radians; 0 tags nothing
+  double keep_kinks = std::numbers::pi;  ///< radians; chains keep corners where they turn by more
+  bool limit = false;                    ///< vertices are moved to where they end
+  bool provenance = false;               ///< the result lists what its elements come from
+};
+
+/// Rules of which presets have values of their own.
+void list_rules(Rules& rules, ParameterList& list) {
+  list.choice_of("preset", 0, {"refined", "paper"},
+                 "refined for round faces and smooth ends of chains, paper for Lee, Joo, Hong 2002; doo-sabin only.",
+                 [&](std::size_t preset) { rules = Rules::of(static_cast<Preset>(preset)); })
+      .titled("Quality", {"refined", "as published in 2002"})
+      .sets_others();
+  const auto rule = [&](const char* name, auto& value, const std::vector<std::string>& words, const char* sentence,
+                        const char* title, std::vector<std::string> titles) {
+    titles.emplace_back("as the quality");
+    list.choice(name, value, words, sentence).or_preset().titled(title, titles).at(ParameterPlace::Expert);
+  };
+  rule("weights", rules.weights, {"classical", "average"}, "How the corners of a face weigh in its new points.",
+       "Corners of faces", {"classical", "all the same"});
+  rule("profile", rules.profile, {"clamped", "plain"},
+       "Rows of faces beside a chain: clamped halves them at each level, plain keeps three quarters.",
+       "Beside sharp edges", {"half as wide", "three quarters as wide"});
+  rule("chain-ends", rules.chain_ends, {"smooth", "retract", "pin"},
+       "Where a chain of sharp edges ends in a surface: it runs out, draws back, or stays.", "Ends of sharp edges",
+       {"run out", "draw back", "stay"});
+  rule("boundary-corners", rules.boundary_corners, {"corner", "smooth"},
+       "Boundary vertices with a single face stay, or are rounded with the boundary.", "Corners of borders",
+       {"stay", "rounded"});
+}
+
+void list_subdivide_parameters(SubdivideSettings& settings, ParameterList& list) {
+  constexpr int most_levels = 10;
+  list.choice("scheme", settings.plan.scheme, {"doo-sabin", "catmull-clark", "loop"},
+              "Rules of refinement; loop cuts polygons into triangles first.")
+      .titled("Smoothing", {"Soft (Doo-Sabin)", "Standard (Catmull-Clark)", "Triangles (Loop)"});
+  list_rules(settings.plan.rules, list);
+  list.integer("levels", settings.plan.levels, 0, most_levels, "",
+               "How often the cage is refined; each level has about four times the faces.")
+      .titled("Level");
+  list.angle("sharp-angle", settings.sharp_angle, 0, 180,
+             "Edges without a tag become sharp where faces meet at more than this; 0 for none.")
+      .titled("Sharp above");
+  list.angle("keep-kinks", settings.keep_kinks, 0, 180,
+             "Chains that turn by more than this at a vertex of the cage keep a corner there; 180 for none.")
+      .titled("Corners of sharp edges above")
+      .at(ParameterPlace::Expert);
+  list.flag("limit", settings.limit, "Move the vertices to where they would end after endless refinement.")
+      .titled("On the final surface")
+      .at(ParameterPlace::Expert);
+  list.flag("provenance", settings.provenance,
+            "Attach to faces and vertices which element of the cage they come from; doo-sabin only.")
+      .at(ParameterPlace::Nowhere);
+}
+
 void append(Findings& all, const Findings& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 /// The cage with all the tags that count.
-PolyMesh tagged_cage(const Values& inputs, const SubdivideSettings& settings, Findings& warnings) {
-  PolyMesh mesh = inputs.at("cage").get<PolyMesh>();
-  if (const auto tags = inputs.find("tags"); tags != inputs.end()) {
-    const MeshTagsReadResult read = read_mesh_tags(tags->second.get<Report>());
-    append(warnings, read.warnings);
-    mesh.tags = united_tags(mesh.tags, read.tags);
-  }
+PolyMesh fully_tagged_cage(const Values& inputs, const SubdivideSettings& settings, Findings& warnings) {
+  PolyMesh mesh = *tagged_cage(inputs, warnings);
   if (settings.sharp_angle > 0) mesh.tags = with_sharp_angles(mesh, settings.sharp_angle, settings.plan.rules);
   if (settings.keep_kinks < std::numbers::pi) mesh = pin_kinks(mesh, settings.keep_kinks);
   return mesh;
@@ -192,30 +242,10 @@ SubdivideResult result_of_subdividing(const Subdivision& subdivision, const Subd
   return result;
 }
 
-}  // namespace
-
-OperationDescription SubdivideOperation::describe() const {
-  return {"subdivide",
-          1,
-          "Subdivide",
-          "Refines a cage of polygons into a smooth mesh; tagged edges stay sharp, in chains that are curves.",
-          {{"cage", ValueType::Mesh, "Polygons of any number of corners, closed or open, with their tags."},
-           {"tags", ValueType::Report,
-            "Sharp edges and pins (croquis-tags-1), added to the cage's own; of two tags of an edge these count.",
-            false, true}},
-          {{"mesh", ValueType::Mesh, "The last level, with the tags that are left."},
-           {"chains", ValueType::Mesh, "The curves to which the chains of sharp edges tend, as polylines."},
-           {"tags-out", ValueType::Report, "The tags that are left (croquis-tags-1)."},
-           {"details", ValueType::Report, "Counts of every level, chains, and how smooth the levels are."}},
-          subdivide_parameters()};
-}
-
-OperationResult SubdivideOperation::compute(const Values& inputs, const ParameterValues& parameters,
-                                            Context& context) const {
-  const SubdivideSettings settings = read_subdivide_settings(parameters);
+OperationResult compute_subdivide(const Values& inputs, SubdivideSettings settings, Context& context) {
   OperationResult result;
   Progress checking = context.progress.step("check", 0.1);
-  const PolyMesh mesh = tagged_cage(inputs, settings, result.warnings);
+  const PolyMesh mesh = fully_tagged_cage(inputs, settings, result.warnings);
   const bool doo_sabin = settings.plan.scheme == SubdivisionScheme::DooSabin;
   CageResult made = make_cage(mesh, settings.plan.rules, doo_sabin ? CageUse::DooSabin : CageUse::UniformSchemes);
   append(result.warnings, made.warnings);
@@ -236,6 +266,22 @@ OperationResult SubdivideOperation::compute(const Values& inputs, const Paramete
   result.outputs["mesh"] = std::make_shared<const PolyMesh>(subdivision.take_mesh());
   context.progress.report(1);
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const Operation> subdivide_operation() {
+  return operation_of(
+      {"subdivide",
+       1,
+       "Subdivide",
+       "Refines a cage of polygons into a smooth mesh; tagged edges stay sharp, in chains that are curves.",
+       {{"cage", ValueType::Mesh, "Polygons of any number of corners, closed or open, with their tags."}, tags_input()},
+       {{"mesh", ValueType::Mesh, "The last level, with the tags that are left."},
+        {"chains", ValueType::Mesh, "The curves to which the chains of sharp edges tend, as polylines."},
+        {"tags-out", ValueType::Report, "The tags that are left (croquis-tags-1)."},
+        {"details", ValueType::Report, "Counts of every level, chains, and how smooth the levels are."}}},
+      list_subdivide_parameters, compute_subdivide);
 }
 
 }  // namespace croquis

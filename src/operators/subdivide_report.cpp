@@ -1,51 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/subdivide_report.h"
 
-#include <numbers>
+#include <algorithm>
+#include <array>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace croquis {
-namespace {
-
 using namespace subdivision;
 
-constexpr double degrees = 180 / std::numbers::pi;
-
-const char* name_of(ChainEnd end) { return end == ChainEnd::Corner ? "corner" : "dart"; }
-
-Report chain_entry(const SharpChain& chain) {
-  Report ends = Report::array();
-  if (!chain.closed) {
-    for (const ChainEnd end : chain.ends) ends.push(name_of(end));
-  }
-  Report cage_edges = Report::array();
-  for (const CageEdge& edge : chain.cage_edges) cage_edges.push(Report::list(edge));
-  const std::vector<double> sides{chain.side_angles[0] * degrees, chain.side_angles[1] * degrees};
-  Report entry;
-  entry.set("edges", chain.edges)
-      .set("closed", chain.closed)
-      .set("ends", std::move(ends))
-      .set("dihedral_min", chain.least_angle * degrees)
-      .set("dihedral_max", chain.greatest_angle * degrees)
-      .set("side_max", Report::list(sides))
-      .set("length", chain.length)
-      .set("planar", chain.planar)
-      .set("deviation", chain.deviation)
-      .set("cage_edges", std::move(cage_edges));
-  return entry;
+const char* to_string(SubdivisionScheme scheme) {
+  constexpr std::array<const char*, 3> names = {"doo-sabin", "catmull-clark", "loop"};
+  return names[static_cast<std::size_t>(scheme)];
 }
-
-Report level_entry(const LevelCounts& counts) {
-  Report entry;
-  return std::move(entry.set("vertices", counts.vertices)
-                       .set("edges", counts.edges)
-                       .set("faces", counts.faces)
-                       .set("boundary_edges", counts.boundary_edges)
-                       .set("sharp_edges", counts.sharp_edges));
-}
-
-}  // namespace
 
 std::vector<LevelCounts> level_counts(const SubdivisionPlan& plan, int last) {
   std::vector<LevelCounts> counts;
@@ -69,6 +37,46 @@ std::vector<SharpChain> sharp_chains(const Level& level, std::span<const EdgeCha
   return list;
 }
 
+std::vector<std::vector<CageEdge>> chain_origins(const SubdivisionPlan& plan, int k, std::span<const EdgeChain> chains,
+                                                 const Cage& cage) {
+  const auto edge_of_mesh = [&](Index a, Index b) {
+    const auto [low, high] = std::minmax(cage.source_vertex[a], cage.source_vertex[b]);
+    return CageEdge{low, high};
+  };
+  const auto origins_of = [&](const auto& add_origins) {
+    std::vector<std::vector<CageEdge>> all;
+    for (const EdgeChain& chain : chains) {
+      std::set<CageEdge> found;
+      for (std::size_t edge = 0; edge < chain.edges.size(); ++edge) add_origins(chain, edge, found);
+      all.emplace_back(found.begin(), found.end());
+    }
+    return all;
+  };
+  if (const auto* doo_sabin = std::get_if<DooSabinPlan>(&plan)) {
+    // The child of an edge joins what its ends became; a chord joins two points of one vertex.
+    return origins_of([&](const EdgeChain& chain, std::size_t edge, std::set<CageEdge>& found) {
+      const Index a = doo_sabin->cage_vertex(k, chain.vertices[edge]);
+      const Index b = doo_sabin->cage_vertex(k, chain.vertices[(edge + 1) % chain.vertices.size()]);
+      if (a != b) found.insert(edge_of_mesh(a, b));
+    });
+  }
+  const UniformPlan& uniform = std::get<UniformPlan>(plan);
+  const HalfEdges& fine = uniform.level(k).topology;
+  const HalfEdges& coarse = cage.topology;
+  const CornerFaces faces(fine), cage_faces(coarse);
+  // The child of an edge lies between children of its faces.
+  return origins_of([&](const EdgeChain& chain, std::size_t edge, std::set<CageEdge>& found) {
+    const Index corner = fine.edge_corner[chain.edges[edge]];
+    const Index left = uniform.cage_face(k, faces.face(corner));
+    const Index right = uniform.cage_face(k, faces.face(fine.twin[corner]));
+    for (Index c = coarse.face_offsets[left]; c < coarse.face_offsets[left + std::size_t{1}]; ++c) {
+      if (coarse.twin[c] == no_index || cage_faces.face(coarse.twin[c]) != right) continue;
+      if (!(cage.sharpness[coarse.corner_edge[c]] > 0)) continue;
+      found.insert(edge_of_mesh(coarse.corner_vertex[c], coarse.corner_vertex[coarse.twin[c]]));
+    }
+  });
+}
+
 std::vector<double> continuity_angles(const ContinuityReport& report, int last) {
   std::vector<double> angles;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(last); ++k) angles.push_back(report.levels[k].greatest_bend);
@@ -76,25 +84,18 @@ std::vector<double> continuity_angles(const ContinuityReport& report, int last) 
 }
 
 Report to_report(const SubdivideResult& result) {
-  Report levels = Report::array();
-  for (const LevelCounts& counts : result.levels) levels.push(level_entry(counts));
-  Report details;
-  details.set("scheme", to_string(result.scheme)).set("levels", std::move(levels));
+  Report details = to_report(fields(named("scheme", result.scheme), named("levels", result.levels)));
   if (!result.judged) return details;
-  Report chains = Report::array();
-  for (const SharpChain& chain : result.chains) chains.push(chain_entry(chain));
   Report continuity = Report::array();
-  for (const double angle : result.continuity) continuity.push(angle * degrees);
-  return std::move(
-      details.set("chains", std::move(chains)).set("continuity", std::move(continuity)).set("verdict", result.verdict));
+  for (const double angle : result.continuity) continuity.push(in_degrees(angle));
+  details.set("chains", to_report(result.chains)).set("continuity", std::move(continuity));
+  details.set("verdict", result.verdict);
+  return details;
 }
 
 std::size_t byte_size(const SubdivideResult& result) {
-  std::size_t bytes = sizeof(SubdivideResult) + result.levels.capacity() * sizeof(LevelCounts) +
-                      result.chains.capacity() * sizeof(SharpChain) + result.continuity.capacity() * sizeof(double) +
-                      result.verdict.capacity();
-  for (const SharpChain& chain : result.chains) bytes += chain.cage_edges.capacity() * sizeof(CageEdge);
-  return bytes;
+  return sizeof result + heap_size(result.levels) + heap_size(result.chains) + heap_size(result.continuity) +
+         heap_size(result.verdict);
 }
 
 PolyMesh curve_lines(std::span<const ChainCurve> curves, double tolerance) {

@@ -10,13 +10,19 @@
 #include "croquis/subdivision/chain_curve.h"
 #include "croquis/subdivision/continuity.h"
 #include "croquis/subdivision/edge_chain.h"
-#include "operators/chain_origins.h"
 #include "operators/subdivision_plan.h"
 
 namespace croquis {
 
 /// Counts of the levels 0 to `last`.
 std::vector<LevelCounts> level_counts(const SubdivisionPlan& plan, int last);
+
+/// The tagged edges of the cage from which each chain of a level descends, sorted. In Catmull-Clark and Loop, two faces
+/// that share several tagged edges count with all of them. Linear time.
+/// @param chains of level k of the plan, 0 … its last one
+std::vector<std::vector<CageEdge>> chain_origins(const SubdivisionPlan& plan, int k,
+                                                 std::span<const subdivision::EdgeChain> chains,
+                                                 const subdivision::Cage& cage);
 
 /// What is known of the chains of a level. Linear time.
 /// @param positions #V of the level

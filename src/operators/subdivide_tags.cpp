@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "croquis/geometry/polygon_area.h"
+#include "croquis/io/mesh_tags_file.h"
 #include "croquis/subdivision/cage.h"
 
 namespace croquis {
@@ -56,6 +57,23 @@ MeshTags united_tags(const MeshTags& own, const MeshTags& added) {
   }
   united.sets.insert(united.sets.end(), added.sets.begin(), added.sets.end());
   return united;
+}
+
+PortDescription tags_input() {
+  return {"tags", ValueType::Report,
+          "Sharp edges and pins (croquis-tags-1), added to the cage's own; of two tags of an edge these count.", false,
+          true};
+}
+
+std::shared_ptr<const PolyMesh> tagged_cage(const Values& inputs, Findings& warnings) {
+  const auto cage = inputs.at("cage").as<PolyMesh>();
+  const auto tags = inputs.find("tags");
+  if (tags == inputs.end()) return cage;
+  MeshTagsReadResult read = read_mesh_tags(tags->second.get<Report>());
+  warnings = std::move(read.warnings);
+  PolyMesh mesh = *cage;
+  mesh.tags = united_tags(mesh.tags, read.tags);
+  return std::make_shared<const PolyMesh>(std::move(mesh));
 }
 
 MeshTags with_sharp_angles(const PolyMesh& mesh, double angle, const subdivision::Rules& rules) {

@@ -2,17 +2,30 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 #include <variant>
 
+#include "croquis/base/members.h"
 #include "croquis/base/progress.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
+#include "croquis/operators/subdivide_result.h"
 #include "croquis/subdivision/cage.h"
 #include "croquis/subdivision/doo_sabin.h"
 #include "croquis/subdivision/uniform_schemes.h"
-#include "operators/subdivide_settings.h"
 
 namespace croquis {
+
+/// What decides, with the cage, how it is refined.
+struct PlanSettings {
+  SubdivisionScheme scheme = SubdivisionScheme::DooSabin;
+  subdivision::Rules rules;
+  int levels = 2;
+};
+constexpr auto members(const PlanSettings& settings) {
+  return std::tie(settings.scheme, settings.rules, settings.levels);
+}
+static_assert(lists_every_member<PlanSettings>);
 
 /// What doesn't depend on positions, of any scheme.
 using SubdivisionPlan = std::variant<subdivision::DooSabinPlan, subdivision::UniformPlan>;

@@ -2,32 +2,12 @@
 #include "croquis/workspace/live_node.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace croquis {
 namespace {
 
 constexpr std::chrono::milliseconds draft_patience{400};  // a draft that takes longer gives way to a newer one
-
-/// The node and everything that leads to it, in the document's order.
-std::vector<std::shared_ptr<const Node>> upstream(const Document& document, NodeId id) {
-  std::set<NodeId> wanted{id};
-  std::vector<NodeId> open{id};
-  while (!open.empty()) {
-    const Node* node = document.find(open.back());
-    open.pop_back();
-    if (node == nullptr) continue;
-    for (const auto& [port, link] : node->inputs) {
-      if (wanted.insert(link.node).second) open.push_back(link.node);
-    }
-  }
-  std::vector<std::shared_ptr<const Node>> nodes;
-  for (const auto& node : document.nodes()) {
-    if (wanted.contains(node->id)) nodes.push_back(node);
-  }
-  return nodes;
-}
 
 /// Whether the same is computed of both: where an object stands and whether it is seen makes no difference.
 bool same_for_computing(const std::shared_ptr<const Node>& a, const std::shared_ptr<const Node>& b) {
@@ -50,7 +30,7 @@ LiveNode::LiveNode(Evaluator& evaluator, NodeId node, Host host) : node_(node), 
 
 void LiveNode::follow(const Document& document) {
   document_ = document;
-  std::vector<std::shared_ptr<const Node>> nodes = upstream(document, node_);
+  std::vector<std::shared_ptr<const Node>> nodes = document.upstream(node_);
   const bool same = std::ranges::equal(nodes, made_of_, same_for_computing);
   made_of_ = std::move(nodes);
   if (same) return;

@@ -5,7 +5,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/connectivity.h"
-#include "croquis/edits/lines_by_position.h"
+#include "croquis/edits/apply_edits.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/node_values.h"
 #include "croquis/workspace/object_names.h"
@@ -204,9 +204,9 @@ void Workspace::reapply_step_by_position(NodeId step) {
                 "\" was made for isn't kept any more, so the places of its elements aren't known: undo the change "
                 "before it, apply it by number, or keep the shape");
   }
-  const auto lines = parse_edit_lines(text_of(values, names.lines), all_edits());
+  const auto lines = parse_edit_lines(text_of(values, names.lines));
   Progress progress;
-  apply_edits_again(step, to_text(lines_by_position(*before, *now, lines, all_edits(), progress)));
+  apply_edits_again(step, to_text(lines_by_position(*before, *now, lines, progress)));
 }
 
 // ---- States

@@ -212,13 +212,16 @@ TEST_CASE("complete values are read by name and type") {
 }
 
 TEST_CASE("titles are words for people, with the value where it says something") {
-  const ParameterDescription level = integer_parameter("levels", 2, 0, 6, "", "How fine.").titled("Level");
+  ParameterDescription level = integer_parameter("levels", 2, 0, 6, "", "How fine.");
+  level.title = "Level";
   CHECK(title_of(level) == "Level");
   CHECK(title_with(level, std::int64_t{3}) == "Level 3");
-  const ParameterDescription scheme = choice_parameter("scheme", {"loop", "doo-sabin"}, "Rules.");
+  ParameterDescription scheme = choice_parameter("scheme", {"loop", "doo-sabin"}, "Rules.");
   CHECK(title_of(scheme) == "Scheme");
   CHECK(title_with(scheme, std::string("doo-sabin")) == "Scheme doo-sabin");
-  CHECK(title_with(scheme.titled("Smoothing", {"Triangles", "Soft"}), std::string("doo-sabin")) == "Smoothing Soft");
+  scheme.title = "Smoothing";
+  scheme.choice_titles = {"Triangles", "Soft"};
+  CHECK(title_with(scheme, std::string("doo-sabin")) == "Smoothing Soft");
   CHECK(title_with(flag_parameter("patch-ids", true, "Marks."), false) == "Patch ids off");
   CHECK(title_with(text_parameter("known-point", "", "Where."), std::string("1,2=3")) == "Known point");
 }

@@ -9,31 +9,21 @@ namespace croquis {
 namespace {
 
 /// Scales a mesh; counts how often it was asked.
-class Scale final : public Operation {
- public:
-  explicit Scale(int& calls, std::string id = "scale") : calls_(calls), id_(std::move(id)) {}
-
-  OperationDescription describe() const override {
-    return {id_,
-            1,
-            "Scale",
-            "Makes a mesh larger or smaller.",
-            {{"mesh", ValueType::Mesh, "The mesh."}},
-            {{"mesh", ValueType::Mesh, "The scaled mesh."}},
-            {{"factor", ParameterType::Number, 2.0, 0.1, 10.0, {}, "", "How much larger."}}};
-  }
-
-  OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context&) const override {
-    ++calls_;
-    PolyMesh mesh = inputs.at("mesh").get<PolyMesh>();
-    for (Vec3& position : mesh.positions) position *= std::get<double>(parameters.at("factor"));
-    return {{{"mesh", std::make_shared<const PolyMesh>(std::move(mesh))}}, {}};
-  }
-
- private:
-  int& calls_;
-  std::string id_;
-};
+Operation scale(int& calls, std::string id = "scale") {
+  return {{std::move(id),
+           1,
+           "Scale",
+           "Makes a mesh larger or smaller.",
+           {{"mesh", ValueType::Mesh, "The mesh."}},
+           {{"mesh", ValueType::Mesh, "The scaled mesh."}},
+           {{"factor", ParameterType::Number, 2.0, 0.1, 10.0, {}, "", "How much larger."}}},
+          [&calls](const Values& inputs, const ParameterValues& parameters, Context&) -> OperationResult {
+            ++calls;
+            PolyMesh mesh = inputs.at("mesh").get<PolyMesh>();
+            for (Vec3& position : mesh.positions) position *= std::get<double>(parameters.at("factor"));
+            return {{{"mesh", std::make_shared<const PolyMesh>(std::move(mesh))}}, {}};
+          }};
+}
 
 Value point_mesh() {
   PolyMesh mesh;
@@ -47,8 +37,8 @@ TEST_CASE("an operation runs with the defaults of its description") {
   int calls = 0;
   Progress progress;
   Context context{progress};
-  CHECK(scaled_point(run(Scale(calls), {{"mesh", point_mesh()}}, {}, context)) == Vec3(2, 4, 6));
-  CHECK(scaled_point(run(Scale(calls), {{"mesh", point_mesh()}}, {{"factor", 3.0}}, context)) == Vec3(3, 6, 9));
+  CHECK(scaled_point(run(scale(calls), {{"mesh", point_mesh()}}, {}, context)) == Vec3(2, 4, 6));
+  CHECK(scaled_point(run(scale(calls), {{"mesh", point_mesh()}}, {{"factor", 3.0}}, context)) == Vec3(3, 6, 9));
   CHECK(calls == 2);
 }
 
@@ -58,7 +48,7 @@ TEST_CASE("an operation is not asked when an input or a parameter is wrong") {
   Context context{progress};
   const auto code_of = [&](const Values& inputs, ParameterValues parameters) {
     try {
-      run(Scale(calls), inputs, std::move(parameters), context);
+      run(scale(calls), inputs, std::move(parameters), context);
     } catch (const Error& error) {
       return error.findings().front().code + " " + error.findings().front().subjects.front().id;
     }
@@ -74,12 +64,12 @@ TEST_CASE("an operation is not asked when an input or a parameter is wrong") {
 TEST_CASE("the registry finds operations by id and refuses a second one of the same id") {
   int calls = 0;
   Registry registry;
-  registry.add(std::make_unique<Scale>(calls));
-  registry.add(std::make_unique<Scale>(calls, "enlarge"));
+  registry.add(std::make_unique<Operation>(scale(calls)));
+  registry.add(std::make_unique<Operation>(scale(calls, "enlarge")));
   CHECK(registry.find("scale") == registry.operations()[0].get());
   CHECK(registry.find("enlarge") == registry.operations()[1].get());
   CHECK(registry.find("twist") == nullptr);
-  CHECK_THROWS_AS(registry.add(std::make_unique<Scale>(calls)), Error);
+  CHECK_THROWS_AS(registry.add(std::make_unique<Operation>(scale(calls))), Error);
   CHECK(registry.operations().size() == 2);
 }
 

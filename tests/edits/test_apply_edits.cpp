@@ -5,8 +5,6 @@
 
 #include "croquis/base/error.h"
 #include "croquis/edits/apply_edits.h"
-#include "croquis/edits/lines_by_position.h"
-#include "croquis/edits/starting_line.h"
 #include "croquis/geometry/mesh_report.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
@@ -16,7 +14,7 @@ namespace {
 
 EditedMesh edited(const PolyMesh& mesh, const std::string& text) {
   Progress progress;
-  return apply_edits(mesh, parse_edit_lines(text, all_edits()), all_edits(), progress);
+  return apply_edits(mesh, parse_edit_lines(text), progress);
 }
 
 MeshReport figures(const PolyMesh& mesh) {
@@ -182,28 +180,27 @@ TEST_CASE("random edits on random meshes never break a mesh that was sound") {
 TEST_CASE("lines found again by position are the same ones on the same mesh, and follow new numbers") {
   const PolyMesh torus = test::torus(9, 7);
   const auto lines = parse_edit_lines(
-      "move vertices=5,11 by=0,0,0.02; extrude faces=20,21 distance=0.1; sharpness edges=3,9; pin vertices=all",
-      all_edits());
+      "move vertices=5,11 by=0,0,0.02; extrude faces=20,21 distance=0.1; sharpness edges=3,9; pin vertices=all");
   Progress progress;
-  CHECK(lines_by_position(torus, torus, lines, all_edits(), progress) == lines);
-  const auto found = lines_by_position(torus, test::shuffled(torus, 3), lines, all_edits(), progress);
+  CHECK(lines_by_position(torus, torus, lines, progress) == lines);
+  const auto found = lines_by_position(torus, test::shuffled(torus, 3), lines, progress);
   REQUIRE(found.size() == lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     CHECK(found[i].parameters == lines[i].parameters);
     CHECK(found[i].target.elements.size() == lines[i].target.elements.size());
   }
-  CHECK_THROWS_AS(lines_by_position(test::cube(), torus, lines, all_edits(), progress), Error);
+  CHECK_THROWS_AS(lines_by_position(test::cube(), torus, lines, progress), Error);
 }
 
 TEST_CASE("an edit begins with numbers only where its defaults do nothing") {
   const PolyMesh cube = test::cube();
   const MeshTopology topology(cube);
-  for (const auto& edit : all_edits().edits()) {
-    const EditDescription description = edit->describe();
-    const EditLine line = starting_line(cube, topology, *edit, {description.kinds.front(), false, {0}});
+  for (const Edit& edit : all_edits()) {
+    const EditDescription& description = edit.description;
+    const EditLine line = starting_line(cube, topology, edit, {description.kinds.front(), false, {0}});
     INFO(to_text(line));
     CHECK(line.parameters.size() == (description.start ? 1 : 0));
-    if (description.start) CHECK_NOTHROW(apply_edit(cube, topology, line, all_edits()));
+    if (description.start) CHECK_NOTHROW(apply_edit(cube, topology, line));
   }
 }
 

@@ -10,7 +10,7 @@
 namespace croquis {
 namespace {
 
-std::vector<EditLine> parse(const std::string& text) { return parse_edit_lines(text, all_edits()); }
+std::vector<EditLine> parse(const std::string& text) { return parse_edit_lines(text); }
 
 /// The sentences with which a text is refused.
 std::vector<std::string> refusals(const std::string& text) {
@@ -28,8 +28,8 @@ std::vector<std::string> refusals(const std::string& text) {
 
 /// Any edit with any elements and values of its parameters.
 EditLine random_line(test::Random& random) {
-  const auto& edits = all_edits().edits();
-  const EditDescription description = edits[random.below(static_cast<std::uint32_t>(edits.size()))]->describe();
+  const auto& edits = all_edits();
+  const EditDescription description = edits[random.below(static_cast<std::uint32_t>(edits.size()))].description;
   EditLine line;
   line.edit = description.id;
   line.target.kind = description.kinds[random.below(static_cast<std::uint32_t>(description.kinds.size()))];
@@ -98,10 +98,10 @@ TEST_CASE("every line that can't be understood is named with what would do") {
 
 TEST_CASE("edits have names and sentences of their own, and defaults that fit") {
   std::vector<std::string> ids;
-  for (const auto& edit : all_edits().edits()) {
-    const EditDescription description = edit->describe();
+  for (const Edit& edit : all_edits()) {
+    const EditDescription& description = edit.description;
     INFO(description.id);
-    CHECK(all_edits().find(description.id) == edit.get());
+    CHECK(find_edit(description.id) == &edit);
     CHECK(std::find(ids.begin(), ids.end(), description.id) == ids.end());
     CHECK(!description.kinds.empty());
     CHECK(description.sentence.ends_with('.'));
@@ -111,7 +111,7 @@ TEST_CASE("edits have names and sentences of their own, and defaults that fit") 
     }
     ids.push_back(description.id);
   }
-  CHECK(all_edits().find("melt") == nullptr);
+  CHECK(find_edit("melt") == nullptr);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@
 namespace croquis::test {
 namespace {
 
-using Commands = std::vector<std::unique_ptr<cli::Command>>;
+using Commands = std::vector<cli::Command>;
 
 constexpr int most_seconds = 20 * slowness;      // of processor time, for one input
 constexpr rlim_t most_memory = rlim_t{4} << 30;  // of address space, where sanitizers leave it alone

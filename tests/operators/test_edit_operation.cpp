@@ -5,7 +5,7 @@
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
 #include "croquis/geometry/mesh_report.h"
-#include "operators/edit_operation.h"
+#include "operators/operations.h"
 #include "support/check_operation.h"
 #include "support/meshes/mesh_shapes.h"
 
@@ -15,7 +15,7 @@ namespace {
 OperationResult edit(const PolyMesh& mesh, const ParameterValues& parameters) {
   Progress progress;
   Context context{progress};
-  return run(EditOperation(), {{"mesh", std::make_shared<const PolyMesh>(mesh)}}, parameters, context);
+  return run(*edit_operation(), {{"mesh", std::make_shared<const PolyMesh>(mesh)}}, parameters, context);
 }
 
 const PolyMesh& mesh_of(const OperationResult& result) { return result.outputs.at("mesh").get<PolyMesh>(); }
@@ -46,7 +46,7 @@ TEST_CASE("edits with a memo of earlier lines are those without one") {
       Progress progress;
       Context context{progress, Quality::Final, &memo};
       const OperationResult kept =
-          run(EditOperation(), {{"mesh", std::make_shared<const PolyMesh>(test::cube())}}, {{"do", text}}, context);
+          run(*edit_operation(), {{"mesh", std::make_shared<const PolyMesh>(test::cube())}}, {{"do", text}}, context);
       CHECK(content_hash(kept.outputs.at("mesh")) == content_hash(expected.outputs.at("mesh")));
       CHECK(details_of(kept).at("new_faces").as_integer() == details_of(expected).at("new_faces").as_integer());
     }

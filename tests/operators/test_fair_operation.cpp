@@ -3,7 +3,7 @@
 
 #include "croquis/document/content_hash.h"
 #include "croquis/document/memo.h"
-#include "operators/fair_operation.h"
+#include "operators/operations.h"
 #include "support/check_operation.h"
 #include "support/meshes/cages.h"
 #include "support/meshes/mesh_shapes.h"
@@ -23,7 +23,7 @@ PolyMesh dented() {
 OperationResult fair(const PolyMesh& cage, double weight, Memo* memo = nullptr) {
   Progress progress;
   Context context{progress, Quality::Final, memo};
-  return run(FairOperation(), inputs_of(cage), {{"weight", weight}}, context);
+  return run(*fair_operation(), inputs_of(cage), {{"weight", weight}}, context);
 }
 
 double figure(const OperationResult& result, const char* name) {
@@ -31,8 +31,8 @@ double figure(const OperationResult& result, const char* name) {
 }
 
 TEST_CASE("fairing is a function of its arguments") {
-  test::check_operation(FairOperation(), inputs_of(dented()), {});
-  test::check_operation(FairOperation(), inputs_of(test::bolt_loop()),
+  test::check_operation(*fair_operation(), inputs_of(dented()), {});
+  test::check_operation(*fair_operation(), inputs_of(test::bolt_loop()),
                         {{"weight", 0.1}, {"chains", std::string("fair")}, {"levels", std::int64_t{1}}});
 }
 

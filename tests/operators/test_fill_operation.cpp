@@ -14,8 +14,7 @@
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/operators/fill_result.h"
 #include "croquis/operators/hole_wishes.h"
-#include "operators/fill_operation.h"
-#include "operators/hole_ids.h"
+#include "operators/operations.h"
 #include "support/check_operation.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/scans/scans.h"
@@ -29,7 +28,7 @@ OperationResult fill(const PolyMesh& scan, const ParameterValues& parameters = {
   Progress progress;
   Context context{progress};
   context.threads = threads;
-  return run(FillOperation(), inputs_of(scan), parameters, context);
+  return run(*fill_operation(), inputs_of(scan), parameters, context);
 }
 
 const PolyMesh& mesh_of(const OperationResult& result) { return result.outputs.at("mesh").get<PolyMesh>(); }
@@ -61,22 +60,23 @@ std::vector<Index> refused_words(const std::string& text) {
 TEST_CASE("filling is a function of its arguments, for every choice") {
   for (const char* fairness : {"rbf", "smooth", "flat"}) {
     for (const bool list : {false, true}) {
-      test::check_operation(FillOperation(), inputs_of(scan()), {{"fairness", std::string(fairness)}, {"list", list}});
+      test::check_operation(*fill_operation(), inputs_of(scan()),
+                            {{"fairness", std::string(fairness)}, {"list", list}});
     }
   }
-  test::check_operation(FillOperation(), inputs_of(test::open_tube(1, 4, 24, 12)),
+  test::check_operation(*fill_operation(), inputs_of(test::open_tube(1, 4, 24, 12)),
                         {{"select", std::string("all-but-largest")}, {"precision", std::string("single")}});
-  test::check_operation(FillOperation(), inputs_of(scan()),
+  test::check_operation(*fill_operation(), inputs_of(scan()),
                         {{"holes", std::string("0: leave; 1: flat, trim 1; 2: bulge 0.3")}});
-  test::check_operation(FillOperation(), inputs_of(scan()), {{"mode", std::string("remesh")}});
+  test::check_operation(*fill_operation(), inputs_of(scan()), {{"mode", std::string("remesh")}});
 }
 
 TEST_CASE("filling refuses unusable scans with the same findings every time") {
   PolyMesh points;
   points.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
-  test::check_operation(FillOperation(), inputs_of(points), {});
+  test::check_operation(*fill_operation(), inputs_of(points), {});
   CHECK_THROWS_AS(fill(points), Error);
-  test::check_operation(FillOperation(), inputs_of(scan()), {{"only", std::string("99")}});
+  test::check_operation(*fill_operation(), inputs_of(scan()), {{"only", std::string("99")}});
   CHECK_THROWS_AS(fill(scan(), {{"only", std::string("99")}}), Error);
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("a wish that changes is the same with what an earlier run left in the 
     Progress progress;
     Context context{progress};
     context.memo = &memo;
-    return run(FillOperation(), inputs_of(scan()), {{"holes", holes}}, context);
+    return run(*fill_operation(), inputs_of(scan()), {{"holes", holes}}, context);
   };
   for (const std::string holes :
        {"", "1: flat", "1: flat; 2: leave", "1: smooth", "", "3: trim 1", "3: trim 1; 4: flat"}) {
@@ -255,14 +255,14 @@ TEST_CASE("filling stops when asked to, and its progress rises to one") {
     last = fraction;
   });
   Context context{watched};
-  run(FillOperation(), inputs_of(scan()), {}, context);
+  run(*fill_operation(), inputs_of(scan()), {}, context);
   CHECK(last == 1);
 
   std::atomic<bool> cancel = false;
   int reports = 0;
   Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
   Context stopping{stopped};
-  CHECK_THROWS_AS(run(FillOperation(), inputs_of(scan()), {}, stopping), Cancelled);
+  CHECK_THROWS_AS(run(*fill_operation(), inputs_of(scan()), {}, stopping), Cancelled);
 }
 
 TEST_CASE("the selection that hosts ask for names the holes that are filled") {

@@ -114,7 +114,7 @@ TEST_CASE("which holes are filled goes into parameters and back, through their t
   };
   ParameterValues values = to_parameters(choice);
   CHECK(same(read_fill_choice(values)));
-  for (const ParameterDescription& description : fill_parameters()) {
+  for (const ParameterDescription& description : parameters_of(list_fill_parameters)) {
     const auto value = values.find(description.name);
     if (value != values.end()) value->second = parse_parameter(description, to_text(value->second));
   }
@@ -123,12 +123,12 @@ TEST_CASE("which holes are filled goes into parameters and back, through their t
 
 TEST_CASE("asking for nothing sets the parameters to their defaults") {
   const ParameterValues values = to_parameters({});
-  for (const auto& [name, value] : values) CHECK(value == complete(fill_parameters(), {}).at(name));
+  for (const auto& [name, value] : values) CHECK(value == complete(parameters_of(list_fill_parameters), {}).at(name));
   CHECK(values.size() == 3);
 }
 
 TEST_CASE("wishes that a program wrote aren't parsed") {
-  ParameterValues values = complete(fill_parameters(), {});
+  ParameterValues values = complete(parameters_of(list_fill_parameters), {});
   const std::vector<HoleWish> wishes{{.holes = {7}, .fairness = "flat"}};
   values["holes"] = ParsedText("no wish at all", wishes);
   CHECK(read_fill_choice(values).wishes == wishes);

@@ -6,7 +6,7 @@
 #include "croquis/base/error.h"
 #include "croquis/io/json.h"
 #include "croquis/operators/inflate_result.h"
-#include "operators/inflate_operation.h"
+#include "operators/operations.h"
 #include "support/check_operation.h"
 #include "support/sketches/sketch_errors.h"
 #include "support/sketches/sketch_gallery.h"
@@ -17,8 +17,8 @@ namespace {
 Values inputs_of(const Drawing& drawing) { return {{"drawing", std::make_shared<const Drawing>(drawing)}}; }
 
 TEST_CASE("inflating is a function of drawing and parameters") {
-  test::check_operation(InflateOperation(), inputs_of(test::snake_sketch().drawing), {{"resolution", 10.0}});
-  test::check_operation(InflateOperation(), inputs_of(test::circle_sketch().drawing),
+  test::check_operation(*inflate_operation(), inputs_of(test::snake_sketch().drawing), {{"resolution", 10.0}});
+  test::check_operation(*inflate_operation(), inputs_of(test::circle_sketch().drawing),
                         {{"resolution", 10.0}, {"preset", std::string("tablet")}});
 }
 
@@ -26,13 +26,13 @@ TEST_CASE("inflating with attached objects is a function of its arguments too") 
   const Values inputs = inputs_of(test::dog_sketch().drawing);
   Progress progress;
   Context context{progress};
-  const OperationResult plain = run(InflateOperation(), inputs, {}, context);
+  const OperationResult plain = run(*inflate_operation(), inputs, {}, context);
   const Report& details = plain.outputs.at("details").get<Report>();
   std::string pairs;
   for (const Report& pair : details.at("attach_suggestions").as_array()) {
     pairs += pair.at("a").as_string() + "," + pair.at("b").as_string() + "=0.5;";
   }
-  test::check_operation(InflateOperation(), inputs, {{"attach", pairs}});
+  test::check_operation(*inflate_operation(), inputs, {{"attach", pairs}});
 }
 
 TEST_CASE("inflating with grooves is a function of its arguments too") {
@@ -43,7 +43,7 @@ TEST_CASE("inflating with grooves is a function of its arguments too") {
   const double reach = 0.3 * (drawing.strokes.front().samples.front().position - middle).norm();
   drawing.strokes.push_back(test::stroke_of("mouth", {middle - Vec2(reach, 0), middle, middle + Vec2(reach, reach)}));
   drawing.strokes.back().data["kind"] = "detail";
-  test::check_operation(InflateOperation(), inputs_of(drawing),
+  test::check_operation(*inflate_operation(), inputs_of(drawing),
                         {{"resolution", 10.0}, {"details", std::string("groove")}, {"detail-width", 20.0}});
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("texts that are no pairs of objects are refused, all of them") {
     Progress progress;
     Context context{progress};
     try {
-      run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {{"attach", text}}, context);
+      run(*inflate_operation(), inputs_of(test::dog_sketch().drawing), {{"attach", text}}, context);
     } catch (const Error& error) {
       return error.findings().size();
     }
@@ -67,7 +67,7 @@ TEST_CASE("texts that are no pairs of objects are refused, all of them") {
 TEST_CASE("labels name the object of every arc") {
   Progress progress;
   Context context{progress};
-  const OperationResult result = run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {}, context);
+  const OperationResult result = run(*inflate_operation(), inputs_of(test::dog_sketch().drawing), {}, context);
   const Drawing& labels = result.outputs.at("labels").get<Drawing>();
   const PolyMesh& mesh = result.outputs.at("mesh").get<PolyMesh>();
   const std::vector<std::string>& names = mesh.channel("object", Domain::Face)->labels;
@@ -81,7 +81,7 @@ TEST_CASE("a drawing on another plane becomes the same solid, rigidly moved") {
   const auto inflated = [](const Drawing& drawing) {
     Progress progress;
     Context context{progress};
-    return run(InflateOperation(), inputs_of(drawing), {{"resolution", 10.0}}, context);
+    return run(*inflate_operation(), inputs_of(drawing), {{"resolution", 10.0}}, context);
   };
   Drawing drawing = test::snake_sketch().drawing;
   const OperationResult plain = inflated(drawing);
@@ -113,14 +113,14 @@ TEST_CASE("a drawing on another plane becomes the same solid, rigidly moved") {
 }
 
 TEST_CASE("inflating refuses a drawing with the same findings every time") {
-  test::check_operation(InflateOperation(), inputs_of(test::error_sketch("E_CROSS").drawing),
+  test::check_operation(*inflate_operation(), inputs_of(test::error_sketch("E_CROSS").drawing),
                         {{"preset", std::string("clean")}});
 }
 
 TEST_CASE("programs read labels and parts of a solid as its drawing and mesh show them") {
   Progress progress;
   Context context{progress};
-  const OperationResult result = run(InflateOperation(), inputs_of(test::dog_sketch().drawing), {}, context);
+  const OperationResult result = run(*inflate_operation(), inputs_of(test::dog_sketch().drawing), {}, context);
   const InflateResult& found = *result.details.get<InflateResult>();
   const Drawing& labels = result.outputs.at("labels").get<Drawing>();
   REQUIRE(found.arcs.size() == labels.strokes.size());

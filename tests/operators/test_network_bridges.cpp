@@ -10,11 +10,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/mesh_topology.h"
-#include "operators/subdivide_operation.h"
-#include "operators/surface/contour_network_operation.h"
-#include "operators/surface/edge_network_operation.h"
-#include "operators/surface/surface_cage_operation.h"
-#include "operators/surface/surface_patch_operation.h"
+#include "operators/operations.h"
 #include "support/attribute_surface/joined_networks.h"
 #include "support/check_operation.h"
 #include "support/meshes/cages.h"
@@ -34,7 +30,7 @@ AttributeNetwork network_of(const Operation& operation, const Values& inputs, co
 
 std::string refusal_of(const ParameterValues& parameters) {
   try {
-    network_of(EdgeNetworkOperation(), mesh_input(test::cube()), parameters);
+    network_of(*edge_network_operation(), mesh_input(test::cube()), parameters);
   } catch (const Error& error) {
     return error.findings().at(0).code;
   }
@@ -49,15 +45,15 @@ TEST_CASE("drawings and meshes become networks as functions of their arguments")
     for (int i = 0; i <= 40; ++i) stroke.samples.push_back({Vec2(i, y + i * i / 100.0)});
     drawing.strokes.push_back(stroke);
   }
-  test::check_operation(ContourNetworkOperation(), {{"drawing", std::make_shared<const Drawing>(drawing)}},
+  test::check_operation(*contour_network_operation(), {{"drawing", std::make_shared<const Drawing>(drawing)}},
                         {{"corner", 50.0}});
-  test::check_operation(EdgeNetworkOperation(), mesh_input(test::grid(5, 3)), {{"slopes", true}});
-  test::check_operation(EdgeNetworkOperation(), mesh_input(test::bolt()), {{"select", std::string("sharp")}});
+  test::check_operation(*edge_network_operation(), mesh_input(test::grid(5, 3)), {{"slopes", true}});
+  test::check_operation(*edge_network_operation(), mesh_input(test::bolt()), {{"select", std::string("sharp")}});
 }
 
 TEST_CASE("edges are chosen by name, as boundaries or by the angle of their faces") {
   const auto curves = [](PolyMesh mesh, const ParameterValues& parameters) {
-    return network_of(EdgeNetworkOperation(), mesh_input(std::move(mesh)), parameters).curves.size();
+    return network_of(*edge_network_operation(), mesh_input(std::move(mesh)), parameters).curves.size();
   };
   CHECK(curves(test::cube(), {{"select", std::string("sharp")}}) == 12);
   CHECK(curves(test::grid(5, 3), {}) == 4);
@@ -86,16 +82,17 @@ OperationResult result_of(const Operation& operation, const Values& inputs, cons
 }
 
 TEST_CASE("patches and cages are functions of their arguments") {
-  test::check_operation(SurfacePatchOperation(), mesh_input(holed_sphere()), {});
-  test::check_operation(SurfacePatchOperation(), mesh_input(holed_sphere()),
+  test::check_operation(*surface_patch_operation(), mesh_input(holed_sphere()), {});
+  test::check_operation(*surface_patch_operation(), mesh_input(holed_sphere()),
                         {{"join", std::string("crease")}, {"sides", std::int64_t{5}}});
-  test::check_operation(SurfaceCageOperation(), network_input(test::cube_sphere()), {{"segments", std::string("8")}});
+  test::check_operation(*surface_cage_operation(), network_input(test::cube_sphere()),
+                        {{"segments", std::string("8")}});
 }
 
 TEST_CASE("holes to patch are chosen by number or by a vertex of their rim") {
   const PolyMesh sphere = holed_sphere();
   const auto boundary_loops = [&](const ParameterValues& parameters) {
-    const OperationResult result = result_of(SurfacePatchOperation(), mesh_input(sphere), parameters);
+    const OperationResult result = result_of(*surface_patch_operation(), mesh_input(sphere), parameters);
     CHECK(result.warnings.empty());
     Progress progress;
     return inspect(result.outputs.at("mesh").get<PolyMesh>(), false, progress).boundary_loops;
@@ -111,16 +108,16 @@ TEST_CASE("holes to patch are chosen by number or by a vertex of their rim") {
   for (const ParameterValues& wrong :
        {ParameterValues{{"only", std::string("7")}}, ParameterValues{{"vertex", std::int64_t{99999}}},
         ParameterValues{{"sides", std::int64_t{2}}}, ParameterValues{{"fullness", std::string("3")}}})
-    CHECK_THROWS_AS(result_of(SurfacePatchOperation(), mesh_input(sphere), wrong), Error);
+    CHECK_THROWS_AS(result_of(*surface_patch_operation(), mesh_input(sphere), wrong), Error);
 }
 
 TEST_CASE("subdivided cages of closed networks come near to the surface, the more segments the nearer") {
   double before = 0.2;
   for (const char* segments : {"2", "4", "8"}) {
-    const OperationResult cage = result_of(SurfaceCageOperation(), network_input(test::sphere_of_octants()),
+    const OperationResult cage = result_of(*surface_cage_operation(), network_input(test::sphere_of_octants()),
                                            {{"segments", std::string(segments)}});
     const OperationResult smooth =
-        result_of(SubdivideOperation(), {{"cage", cage.outputs.at("cage")}}, {{"levels", std::int64_t{2}}});
+        result_of(*subdivide_operation(), {{"cage", cage.outputs.at("cage")}}, {{"levels", std::int64_t{2}}});
     const PolyMesh& mesh = smooth.outputs.at("mesh").get<PolyMesh>();
     double farthest = 0;
     for (const Vec3& position : mesh.positions) farthest = std::max(farthest, std::abs(position.norm() - 1));

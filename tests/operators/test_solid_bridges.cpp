@@ -9,9 +9,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/geometry/triangle_tree.h"
 #include "croquis/perspective/solid.h"
-#include "operators/perspective/attribute_network_operation.h"
-#include "operators/perspective/patch_cage_operation.h"
-#include "operators/subdivide_operation.h"
+#include "operators/operations.h"
 #include "perspective/network_shapes.h"
 #include "support/check_operation.h"
 #include "support/perspective/solids.h"
@@ -25,10 +23,10 @@ Values solid_input(const Solid& solid) { return {{"solid", std::make_shared<cons
 PolyMesh subdivided_cage(const Solid& solid, const std::string& segments, const std::string& scheme) {
   Progress progress;
   Context context{progress};
-  const OperationResult cage = run(PatchCageOperation(), solid_input(solid), {{"segments", segments}}, context);
+  const OperationResult cage = run(*patch_cage_operation(), solid_input(solid), {{"segments", segments}}, context);
   CHECK(cage.warnings.empty());
   const ParameterValues parameters{{"scheme", scheme}, {"levels", std::int64_t{2}}};
-  OperationResult result = run(SubdivideOperation(), {{"cage", cage.outputs.at("cage")}}, parameters, context);
+  OperationResult result = run(*subdivide_operation(), {{"cage", cage.outputs.at("cage")}}, parameters, context);
   for (const Finding& warning : result.warnings) FAIL_CHECK(warning.message);
   return result.outputs.at("mesh").get<PolyMesh>();
 }
@@ -59,8 +57,8 @@ double diagonal(const PolyMesh& mesh) {
 TEST_CASE("solids become networks and cages as functions of their arguments") {
   const Solid bottle = test::solid_of(test::bottle().network), camera = test::solid_of(test::camera_body().network);
   for (const Solid* solid : {&bottle, &camera}) {
-    test::check_operation(PatchCageOperation(), solid_input(*solid), {{"segments", std::string("8")}});
-    test::check_operation(AttributeNetworkOperation(), solid_input(*solid), {});
+    test::check_operation(*patch_cage_operation(), solid_input(*solid), {{"segments", std::string("8")}});
+    test::check_operation(*attribute_network_operation(), solid_input(*solid), {});
   }
 }
 
@@ -100,7 +98,7 @@ TEST_CASE("networks of solids are attribute surfaces: a patch for every face of 
     const Solid solid = test::solid_of(shape.network);
     Progress progress;
     Context context{progress};
-    const OperationResult made = run(AttributeNetworkOperation(), solid_input(solid), {}, context);
+    const OperationResult made = run(*attribute_network_operation(), solid_input(solid), {}, context);
     const AttributeNetwork& network = made.outputs.at("network").get<AttributeNetwork>();
     CHECK(network.faces.size() + made.warnings.size() == solid.brep.faces.size());  // the others are named
     if (network.faces.empty()) continue;

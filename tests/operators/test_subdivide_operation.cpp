@@ -12,7 +12,7 @@
 #include "croquis/document/memo.h"
 #include "croquis/io/mesh_tags_file.h"
 #include "croquis/operators/subdivide_result.h"
-#include "operators/subdivide_operation.h"
+#include "operators/operations.h"
 #include "operators/subdivide_tags.h"
 #include "support/check_operation.h"
 #include "support/meshes/cages.h"
@@ -27,7 +27,7 @@ OperationResult subdivide(const PolyMesh& cage, const ParameterValues& parameter
                           Quality quality = Quality::Final, Memo* memo = nullptr) {
   Progress progress;
   Context context{progress, quality, memo};
-  return run(SubdivideOperation(), inputs_of(cage), parameters, context);
+  return run(*subdivide_operation(), inputs_of(cage), parameters, context);
 }
 
 const PolyMesh& mesh_of(const OperationResult& result, const char* port = "mesh") {
@@ -46,11 +46,11 @@ TEST_CASE("subdividing is a function of its arguments, in every scheme") {
   for (const char* scheme : {"doo-sabin", "catmull-clark", "loop"}) {
     for (const bool limit : {false, true}) {
       const ParameterValues parameters = {{"scheme", std::string(scheme)}, {"limit", limit}};
-      test::check_operation(SubdivideOperation(), inputs_of(test::bolt_loop()), parameters);
-      test::check_operation(SubdivideOperation(), inputs_of(soft_torus()), parameters);
+      test::check_operation(*subdivide_operation(), inputs_of(test::bolt_loop()), parameters);
+      test::check_operation(*subdivide_operation(), inputs_of(soft_torus()), parameters);
     }
   }
-  test::check_operation(SubdivideOperation(), inputs_of(test::mixed_disc()),
+  test::check_operation(*subdivide_operation(), inputs_of(test::mixed_disc()),
                         {{"preset", std::string("paper")}, {"provenance", true}, {"sharp-angle", 10.0}});
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("subdividing refuses a cage with the same findings every time") {
   PolyMesh cage = test::centred_cube();
   cage.add_triangle(0, 1, 6);
   cage.add_triangle(1, 0, 7);
-  test::check_operation(SubdivideOperation(), inputs_of(cage), {});
+  test::check_operation(*subdivide_operation(), inputs_of(cage), {});
   CHECK_THROWS_AS(subdivide(cage), Error);
 }
 
@@ -67,10 +67,10 @@ TEST_CASE("tags of the second input count before the cage's own") {
   inputs["tags"] = std::make_shared<const Report>(report_of(test::bolt_loop().tags));
   Progress progress;
   Context context{progress};
-  const OperationResult result = run(SubdivideOperation(), inputs, {}, context);
+  const OperationResult result = run(*subdivide_operation(), inputs, {}, context);
   CHECK(content_hash(result.outputs.at("mesh")) == content_hash(subdivide(test::bolt_loop()).outputs.at("mesh")));
   CHECK(read_mesh_tags(report_of(result, "tags-out")).tags == mesh_of(result).tags);
-  test::check_operation(SubdivideOperation(), inputs, {});
+  test::check_operation(*subdivide_operation(), inputs, {});
 }
 
 TEST_CASE("a draft has the mesh of the final result") {
@@ -191,14 +191,14 @@ TEST_CASE("subdividing stops when asked to, and its progress rises to one") {
     last = fraction;
   });
   Context context{watched};
-  run(SubdivideOperation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{3}}}, context);
+  run(*subdivide_operation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{3}}}, context);
   CHECK(last == 1);
 
   std::atomic<bool> cancel = false;
   int reports = 0;
   Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
   Context stopping{stopped};
-  CHECK_THROWS_AS(run(SubdivideOperation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{4}}}, stopping),
+  CHECK_THROWS_AS(run(*subdivide_operation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{4}}}, stopping),
                   Cancelled);
 }
 

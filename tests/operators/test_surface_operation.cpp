@@ -8,8 +8,7 @@
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
 #include "croquis/operators/surface_result.h"
-#include "operators/perspective/attribute_network_operation.h"
-#include "operators/surface/surface_operation.h"
+#include "operators/operations.h"
 #include "perspective/network_shapes.h"
 #include "support/check_operation.h"
 #include "support/perspective/solids.h"
@@ -35,7 +34,7 @@ Values with_questions(Values values, const std::string& places) {
 OperationResult surface_of(const Values& inputs, ParameterValues parameters = {}, Quality quality = Quality::Final) {
   Progress progress;
   Context context{progress, quality};
-  return run(SurfaceOperation(), inputs, std::move(parameters), context);
+  return run(*surface_operation(), inputs, std::move(parameters), context);
 }
 
 Findings refused(const Values& inputs) {
@@ -52,14 +51,14 @@ Findings refused(const Values& inputs) {
 
 TEST_CASE("surfaces are functions of their network, their questions and their parameters") {
   const Values car = network_input(shipped_network("car_crashed"));
-  test::check_operation(SurfaceOperation(), car, {});
-  test::check_operation(SurfaceOperation(), with_questions(car, R"([{"face":"hood","fan":[1,0.25,0.5]}])"),
+  test::check_operation(*surface_operation(), car, {});
+  test::check_operation(*surface_operation(), with_questions(car, R"([{"face":"hood","fan":[1,0.25,0.5]}])"),
                         {{"tolerance", 0.02}, {"mode", std::string("position")}});
-  test::check_operation(SurfaceOperation(), network_input(shipped_network("pocket5")),
+  test::check_operation(*surface_operation(), network_input(shipped_network("pocket5")),
                         {{"samples", std::int64_t{5}}, {"fullness", std::string("1.5")}});
   AttributeNetwork broken = shipped_network("tri_point");
   broken.faces[0].loop.pop_back();
-  test::check_operation(SurfaceOperation(), network_input(broken), {});
+  test::check_operation(*surface_operation(), network_input(broken), {});
 }
 
 TEST_CASE("drafts of surfaces have at most 16 samples") {
@@ -108,7 +107,7 @@ TEST_CASE("the network of a solid goes on to a surface that is as closed as the 
   const Values input{{"solid", std::make_shared<const Brep>(solid.brep)}};
   Progress progress;
   Context context{progress};
-  const OperationResult network = run(AttributeNetworkOperation(), input, {}, context);
+  const OperationResult network = run(*attribute_network_operation(), input, {}, context);
   const OperationResult surface = surface_of({{"network", network.outputs.at("network")}});
   const auto& faces = network.outputs.at("network").get<AttributeNetwork>().faces;
   CHECK(surface.details.get<SurfaceResult>()->parts.size() == faces.size());

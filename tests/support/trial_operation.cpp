@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/trial_operation.h"
 
+#include <memory>
+#include <utility>
+
 namespace croquis::test {
 
 OperationDescription mesh_to_mesh(std::string id, int version) {
@@ -13,8 +16,8 @@ OperationDescription mesh_to_mesh(std::string id, int version) {
           {{"factor", ParameterType::Number, 2.0, -10, 10, {}, "", "How much larger."}}};
 }
 
-void add_operation(Registry& registry, OperationDescription description, TrialOperation::Compute compute) {
-  registry.add(std::make_unique<TrialOperation>(std::move(description), std::move(compute)));
+void add_operation(Registry& registry, OperationDescription description, Operation::Compute compute) {
+  registry.add(std::make_unique<Operation>(std::move(description), std::move(compute)));
 }
 
 Value point(double x) {

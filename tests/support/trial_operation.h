@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -13,29 +11,11 @@
 /// Operations and documents as small as a test of evaluation needs them.
 namespace croquis::test {
 
-/// An operation whose work is given by the test.
-class TrialOperation final : public Operation {
- public:
-  using Compute = std::function<OperationResult(const Values&, const ParameterValues&, Context&)>;
-
-  TrialOperation(OperationDescription description, Compute compute)
-      : description_(std::move(description)), compute_(std::move(compute)) {}
-
-  OperationDescription describe() const override { return description_; }
-  OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const override {
-    return compute_(inputs, parameters, context);
-  }
-
- private:
-  OperationDescription description_;
-  Compute compute_;
-};
-
 /// Takes a mesh as "mesh" and gives one as "mesh"; its parameter "factor" is 2 by default, from -10 to 10.
 OperationDescription mesh_to_mesh(std::string id, int version = 1);
 
 /// Adds to the registry.
-void add_operation(Registry& registry, OperationDescription description, TrialOperation::Compute compute);
+void add_operation(Registry& registry, OperationDescription description, Operation::Compute compute);
 
 /// A mesh of one point (x, 0, 0).
 Value point(double x);

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "croquis/base/finding.h"
+
 /// The one description of a parameter: the command line's option and help, the panel's slider, the project file's
 /// field and the reference page are all made from it.
 namespace croquis {
@@ -79,10 +81,6 @@ struct ParameterDescription {
   ParameterPlace place = ParameterPlace::Panel;
   std::map<std::string, ParameterValues> presets = {};  ///< Choice only: the values of other parameters that go with a
                                                         ///< choice, where they aren't given
-
-  /// The same with words for windows.
-  ParameterDescription titled(std::string words, std::vector<std::string> words_of_choices = {}) const;
-  ParameterDescription at(ParameterPlace where) const;
 };
 
 /// What people read: the title, else the name in words, "Weight curvature".
@@ -99,6 +97,8 @@ ParameterDescription number_parameter(const std::string& name, double value, dou
 ParameterDescription choice_parameter(const std::string& name, const std::vector<std::string>& choices,
                                       const std::string& sentence);
 ParameterDescription text_parameter(const std::string& name, const std::string& value, const std::string& sentence);
+/// A path, empty by default.
+ParameterDescription file_parameter(const std::string& name, const std::string& sentence);
 /// A list separated by ';', empty by default.
 ParameterDescription list_parameter(const std::string& name, const std::string& sentence);
 
@@ -115,6 +115,9 @@ const ParameterDescription* find_parameter(std::span<const ParameterDescription>
 /// Checks each value against its description and fills in the others, see with_defaults.
 /// @throws Error with one E_PARAMETER finding for every unknown name, wrong type, and value out of its range
 ParameterValues complete(const std::vector<ParameterDescription>& descriptions, ParameterValues values);
+
+/// E_PARAMETER: "'VALUE' is no value for NAME: it takes ACCEPTED."
+Finding refused_value(const std::string& name, std::string_view value, const std::string& accepted);
 
 /// The value of that name in complete values.
 /// @throws std::out_of_range, std::bad_variant_access for a name or a type that isn't the described one: a mistake of

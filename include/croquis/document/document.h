@@ -79,6 +79,9 @@ class Document {
   /// The node of that id, or null. O(#nodes).
   const Node* find(NodeId id) const;
 
+  /// The node and all that it is made from, in their order. O(#nodes) for each of these.
+  std::vector<std::shared_ptr<const Node>> upstream(NodeId id) const;
+
   /// The id that the next new node gets: greater than every id that was ever used.
   NodeId next_id() const { return next_id_; }
 

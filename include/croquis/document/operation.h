@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "croquis/base/finding.h"
@@ -44,7 +46,7 @@ struct OperationDescription {
   std::string sentence;
   std::vector<PortDescription> inputs;
   std::vector<PortDescription> outputs;
-  std::vector<ParameterDescription> parameters;
+  std::vector<ParameterDescription> parameters = {};
   std::string list_flag = {};  ///< name of a flag under which "details" is all that is wanted: hosts write nothing then
   std::string example = {};    ///< options of an example on the command line
   std::optional<InputEdits> edits_input = {};
@@ -72,14 +74,23 @@ struct OperationResult {
 /// A deterministic function of its inputs, its parameters and the quality. Hosts compute on several threads at once.
 class Operation {
  public:
-  virtual ~Operation() = default;
+  /// Takes one value of the described type per input port, where optional ones may be missing, and complete parameters
+  /// within their ranges (see croquis::complete).
+  using Compute = std::function<OperationResult(const Values& inputs, const ParameterValues& parameters, Context&)>;
 
-  virtual OperationDescription describe() const = 0;
+  Operation(OperationDescription description, Compute compute)
+      : description_(std::move(description)), compute_(std::move(compute)) {}
 
-  /// @param inputs     one value of the described type per input port; optional ones may be missing
-  /// @param parameters complete and within their ranges (see croquis::complete)
+  const OperationDescription& describe() const { return description_; }
+
   /// @throws Error, Cancelled
-  virtual OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const = 0;
+  OperationResult compute(const Values& inputs, const ParameterValues& parameters, Context& context) const {
+    return compute_(inputs, parameters, context);
+  }
+
+ private:
+  OperationDescription description_;
+  Compute compute_;
 };
 
 /// Checks inputs against the description, completes the parameters, computes, and checks the outputs likewise.

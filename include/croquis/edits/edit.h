@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,37 +40,26 @@ struct EditTarget {
   friend bool operator==(const EditTarget&, const EditTarget&) = default;
 };
 
-/// A pure function from a mesh to a mesh, and where everything in it comes from.
-class Edit {
- public:
-  virtual ~Edit() = default;
-
-  virtual EditDescription describe() const = 0;
-
-  /// @param elements   sorted, each once, all of the mesh, at least one, of a kind that is described
-  /// @param parameters complete and within their ranges (see croquis::complete)
-  /// @throws Error (E_INPUT)
-  virtual MeshEdit apply(const PolyMesh& mesh, const MeshTopology& topology, ComponentKind kind,
-                         std::span<const Index> elements, const ParameterValues& parameters) const = 0;
+/// The elements of a mesh that an edit is applied to.
+struct EditInput {
+  const PolyMesh& mesh;
+  const MeshTopology& topology;     ///< of the mesh
+  ComponentKind kind;               ///< one that is described
+  std::span<const Index> elements;  ///< sorted, each once, at least one
 };
 
-/// The edits that a host offers.
-class EditRegistry {
- public:
-  /// @throws Error (Category::Internal) when the id is taken
-  void add(std::unique_ptr<const Edit> edit);
-
-  /// The edit of that id, or null.
-  const Edit* find(std::string_view id) const;
-
-  /// In the order they were added.
-  const std::vector<std::unique_ptr<const Edit>>& edits() const { return edits_; }
-
- private:
-  std::vector<std::unique_ptr<const Edit>> edits_;
+/// A pure function from a mesh to a mesh, and where everything in it comes from.
+struct Edit {
+  EditDescription description;
+  /// @param parameters complete and within their ranges (see croquis::complete)
+  /// @throws Error (E_INPUT, E_PARAMETER)
+  std::function<MeshEdit(const EditInput&, const ParameterValues& parameters)> apply;
 };
 
 /// Every edit of Croquis.
-const EditRegistry& all_edits();
+const std::vector<Edit>& all_edits();
+
+/// The edit of that id, or null.
+const Edit* find_edit(std::string_view id);
 
 }  // namespace croquis

@@ -24,7 +24,7 @@ struct EditLine {
 
 /// Reads lines separated by line ends or ';'. Empty lines, and lines that begin with '#', are left out.
 /// @throws Error (E_EDIT) with one finding for every line that can't be understood
-std::vector<EditLine> parse_edit_lines(std::string_view text, const EditRegistry& registry);
+std::vector<EditLine> parse_edit_lines(std::string_view text);
 
 /// The line that parse_edit_lines turns back into the same edit.
 std::string to_text(const EditLine& line);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "croquis/base/described.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/remeshing/remesh.h"
@@ -16,6 +17,8 @@ namespace croquis {
 
 /// Of a list that was made without filling anything, Filled stands for "would be filled".
 enum class HoleState { Open, Filled, Failed };
+/// "leave", "fill", "failed".
+const char* to_string(HoleState state);
 
 /// One hole of the scan. Lengths in model units, angles in radians.
 struct HoleRow {
@@ -38,6 +41,16 @@ struct HoleRow {
 
   bool is_border() const { return kind == hole_filling::HoleClass::Outer; }
 };
+/// Angles in degrees.
+inline auto described(const HoleRow& hole) {
+  const auto known = [](const std::string& text) { return text.empty() ? Report() : Report(text); };
+  return fields(named("id", hole.id), named("class", hole.kind), named("boundary_edges", hole.edges),
+                named("perimeter", hole.perimeter), named("diameter", hole.diameter), named("area", hole.area),
+                named("action", hole.state), named("method", known(hole.method)), named("reason", known(hole.reason)),
+                named("max_normal_jump", in_degrees(hole.angle)), named("confidence", hole.confidence),
+                named("at", hole.at), named("normal", hole.normal), named("companions", hole.companions),
+                named("patch", hole.patch), named("error_estimate", hole.expected_error));
+}
 
 /// What only a remeshed model has.
 struct RemeshFigures {
@@ -53,6 +66,11 @@ struct OpenEdges {
   std::size_t loose = 0;   ///< of the scan, and of no hole: their rims end at edges of more than two faces
   std::size_t seams = 0;   ///< edges of the scan that are closed only since vertices at one place count as one
 };
+inline auto described(const OpenEdges& edges) {
+  return fields(named("before", edges.before), named("after", edges.after), named("loose", edges.loose),
+                named("seams", edges.seams));
+}
+static_assert(describes_every_member<OpenEdges>);
 
 struct FillResult {
   std::shared_ptr<const PolyMesh> scan;  ///< the mesh given, whose holes these are

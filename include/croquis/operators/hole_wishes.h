@@ -38,9 +38,16 @@ struct HoleWish {
   friend bool operator==(const HoleWish&, const HoleWish&) = default;
 };
 
+/// Ids of holes: numbers and ranges ("0,3-5"), separated by commas, semicolons or spaces. Ascending, each once.
+/// @throws Error (E_PARAMETER) naming every part that is neither
+std::vector<Index> parse_hole_ids(const std::string& text);
+
 /// Linear in the text and the ids that it names.
 /// @throws Error with one E_PARAMETER finding for every part that isn't as above, naming it
 std::vector<HoleWish> parse_hole_wishes(const std::string& text);
+
+/// Those that a value of the parameter `holes` stands for; what a program wrote isn't parsed again.
+std::vector<HoleWish> wishes_in(const ParameterValue& value);
 
 /// Which holes are filled, whatever their diameters, and what is wanted of single ones.
 struct FillChoice {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "croquis/base/described.h"
 #include "croquis/geometry/camera.h"
 #include "croquis/geometry/curve_network.h"
 #include "croquis/geometry/perspective_drawing.h"
@@ -35,6 +36,10 @@ struct PerspectiveCorner {
   std::string id;  ///< the name that strokes give it, or "v0" …
   Vec3 at = Vec3::Zero();
 };
+inline auto described(const PerspectiveCorner& corner) {
+  return fields(named("id", corner.id), named("at", corner.at));
+}
+static_assert(describes_every_member<PerspectiveCorner>);
 
 /// A face of the solid.
 struct PerspectiveFace {
@@ -42,6 +47,10 @@ struct PerspectiveFace {
   std::vector<std::vector<std::string>> strokes;  ///< per loop, the outer one first
   bool planar = true;
 };
+inline auto described(const PerspectiveFace& face) {
+  return fields(named("id", face.id), named("strokes", face.strokes), named("kind", face.planar ? "planar" : "patch"));
+}
+static_assert(describes_every_member<PerspectiveFace>);
 
 /// A set of faces that would close, too: AMBIGUOUS.
 struct FaceAlternative {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "croquis/base/described.h"
 #include "croquis/geometry/vector.h"
 #include "croquis/subdivision/edge_chain.h"
 
@@ -22,6 +23,12 @@ struct LevelCounts {
   std::size_t boundary_edges = 0, sharp_edges = 0;
 };
 
+inline auto described(const LevelCounts& counts) {
+  return fields(named("vertices", counts.vertices), named("edges", counts.edges), named("faces", counts.faces),
+                named("boundary_edges", counts.boundary_edges), named("sharp_edges", counts.sharp_edges));
+}
+static_assert(describes_every_member<LevelCounts>);
+
 /// An edge of the cage by its two vertices.
 using CageEdge = std::array<Index, 2>;
 
@@ -37,6 +44,19 @@ struct SharpChain {
   double deviation = 0;              ///< greatest distance of a vertex from the plane that fits best
   std::vector<CageEdge> cage_edges;  ///< from which the chain comes
 };
+
+/// Angles in degrees.
+inline auto described(const SharpChain& chain) {
+  std::vector<const char*> ends;
+  for (std::size_t i = 0; i < chain.ends.size() && !chain.closed; ++i)
+    ends.push_back(chain.ends[i] == subdivision::ChainEnd::Corner ? "corner" : "dart");
+  return fields(named("edges", chain.edges), named("closed", chain.closed), named("ends", std::move(ends)),
+                named("dihedral_min", in_degrees(chain.least_angle)),
+                named("dihedral_max", in_degrees(chain.greatest_angle)),
+                named("side_max", std::array{in_degrees(chain.side_angles[0]), in_degrees(chain.side_angles[1])}),
+                named("length", chain.length), named("planar", chain.planar), named("deviation", chain.deviation),
+                named("cage_edges", chain.cage_edges));
+}
 
 struct SubdivideResult {
   SubdivisionScheme scheme = SubdivisionScheme::DooSabin;

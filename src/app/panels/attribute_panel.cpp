@@ -281,7 +281,7 @@ void AttributePanel::show_edits(const std::string& lines) {
   if (std::exchange(shown_edits_, lines) == lines) return;
   edits_->clear();
   try {
-    for (const EditLine& line : parse_edit_lines(lines, all_edits())) {
+    for (const EditLine& line : parse_edit_lines(lines)) {
       edits_->addItem(QString::fromStdString(label_of(line, std::string("all ") + plural(line.target.kind))));
     }
   } catch (const Error&) {

@@ -24,14 +24,7 @@ std::vector<FollowUp> follow_ups_of(const OperationDescription& operation, const
 
 std::vector<ParameterDescription> options_of(const FollowUp& follow_up) {
   std::vector<ParameterDescription> options;
-  options.push_back({follow_up.option(),
-                     ParameterType::File,
-                     std::string(),
-                     0,
-                     0,
-                     {},
-                     "",
-                     "Write to FILE: " + follow_up.output().sentence});
+  options.push_back(file_parameter(follow_up.option(), "Write to FILE: " + follow_up.output().sentence));
   for (ParameterDescription parameter : follow_up.description.parameters) {
     parameter.sentence = "For --" + follow_up.option() + ": " + parameter.sentence;
     parameter.name = follow_up.option(parameter);

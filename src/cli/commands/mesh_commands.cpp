@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/mesh_commands.h"
-
 #include <string>
 #include <utility>
 
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/mesh_text.h"
 #include "cli/solid_faults.h"
 #include "croquis/base/error.h"
+#include "croquis/base/parameter_list.h"
 
 namespace croquis::cli {
+namespace {
 
-CommandDescription InfoCommand::describe() const {
-  CommandDescription description;
-  description.name = "info";
-  description.sentence = "Tells what a mesh file holds: counts, topology, area, volume, bounds.";
-  description.parameters = {
-      {"self-intersections", ParameterType::Flag, false, 0, 0, {}, "", "Count pairs of faces that intersect as well."}};
-  description.examples = {"croquis-cli info model.obj", "croquis-cli info --json --self-intersections scan.ply"};
-  return description;
-}
-
-void InfoCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+void run_info(const Invocation& invocation, CommandResult& result, Progress& progress) {
   Progress reading = progress.step("read", 0.4);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
   Progress inspecting = progress.step("inspect", 0.6);
@@ -30,23 +21,7 @@ void InfoCommand::run(const Invocation& invocation, CommandResult& result, Progr
   progress.report(1);
 }
 
-CommandDescription CheckCommand::describe() const {
-  CommandDescription description;
-  description.name = "check";
-  description.sentence = "Succeeds only if a mesh is closed, manifold, oriented and free of self-intersections.";
-  description.examples = {"croquis-cli check model.obj"};
-  description.parameters = {{"self-intersections",
-                             ParameterType::Flag,
-                             true,
-                             0,
-                             0,
-                             {},
-                             "",
-                             "Always counted here; accepted so that info and check take the same options."}};
-  return description;
-}
-
-void CheckCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+void run_check(const Invocation& invocation, CommandResult& result, Progress& progress) {
   Progress reading = progress.step("read", 0.3);
   const PolyMesh mesh = read_input_mesh(invocation, true, result, reading);
   Progress inspecting = progress.step("inspect", 0.7);
@@ -57,32 +32,17 @@ void CheckCommand::run(const Invocation& invocation, CommandResult& result, Prog
   progress.report(1);
 }
 
-CommandDescription ConvertCommand::describe() const {
-  CommandDescription description;
-  description.name = "convert";
-  description.sentence = "Converts a mesh between OBJ, PLY, STL, OFF and GLB.";
-  description.output = OutputNeed::Required;
-  description.parameters = {{"precision",
-                             ParameterType::Integer,
-                             std::int64_t{0},
-                             0,
-                             17,
-                             {},
-                             "significant digits",
-                             "Digits of numbers in text formats; 0 writes them so that they read back exactly."},
-                            {"ascii", ParameterType::Flag, false, 0, 0, {}, "", "Write PLY and STL as text."}};
-  description.examples = {"croquis-cli convert model.obj -o model.stl",
-                          "croquis-cli convert model.obj -o - --output-format ply > model.ply"};
-  return description;
+void list_convert_parameters(MeshWriteOptions& options, ParameterList& list) {
+  list.integer("precision", options.precision, 0, 17, "significant digits",
+               "Digits of numbers in text formats; 0 writes them so that they read back exactly.");
+  list.flag("ascii", options.ascii, "Write PLY and STL as text.");
 }
 
-void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+void run_convert(const Invocation& invocation, CommandResult& result, Progress& progress) {
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
   Progress reading = progress.step("read", 0.6);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
-  MeshWriteOptions options;
-  options.precision = static_cast<int>(integer_of(invocation.parameters, "precision"));
-  options.ascii = flag_of(invocation.parameters, "ascii");
+  const auto options = settings_of(list_convert_parameters, invocation.parameters);
   Progress writing = progress.step("write", 0.4);
   stage_mesh(invocation.output, mesh, options, format, result, writing);
   const bool for_printing = format == MeshFormat::Stl && mesh.face_count() > 0;
@@ -92,6 +52,36 @@ void ConvertCommand::run(const Invocation& invocation, CommandResult& result, Pr
     warn_of_faults(invocation.output, for_printing, result);
   }
   progress.report(1);
+}
+
+}  // namespace
+
+Command info_command() {
+  return {{.name = "info",
+           .sentence = "Tells what a mesh file holds: counts, topology, area, volume, bounds.",
+           .parameters = {flag_parameter("self-intersections", false, "Count pairs of faces that intersect as well.")},
+           .examples = {"croquis-cli info model.obj", "croquis-cli info --json --self-intersections scan.ply"}},
+          run_info};
+}
+
+Command check_command() {
+  return {
+      {.name = "check",
+       .sentence = "Succeeds only if a mesh is closed, manifold, oriented and free of self-intersections.",
+       .parameters = {flag_parameter("self-intersections", true,
+                                     "Always counted here; accepted so that info and check take the same options.")},
+       .examples = {"croquis-cli check model.obj"}},
+      run_check};
+}
+
+Command convert_command() {
+  return {{.name = "convert",
+           .sentence = "Converts a mesh between OBJ, PLY, STL, OFF and GLB.",
+           .output = OutputNeed::Required,
+           .parameters = parameters_of(list_convert_parameters),
+           .examples = {"croquis-cli convert model.obj -o model.stl",
+                        "croquis-cli convert model.obj -o - --output-format ply > model.ply"}},
+          run_convert};
 }
 
 }  // namespace croquis::cli

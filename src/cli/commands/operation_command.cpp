@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/operation_command.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
+#include <variant>
 
+#include "cli/command.h"
+#include "cli/commands/follow_ups.h"
 #include "cli/files.h"
-#include "cli/flagged_strokes.h"
 #include "cli/mesh_text.h"
 #include "cli/report_table.h"
 #include "cli/solid_faults.h"
@@ -70,7 +71,7 @@ std::vector<PortDescription> extra_inputs(const OperationDescription& descriptio
   return extra;
 }
 
-std::string text_parameter(const Invocation& invocation, const std::string& name) {
+std::string text_option(const Invocation& invocation, const std::string& name) {
   return text_of(invocation.parameters, name);
 }
 
@@ -112,7 +113,7 @@ Values read_values(const OperationDescription& description, const Invocation& in
   const PortDescription& main_input = description.inputs.front();
   values[main_input.name] = read_value(main_input, invocation, result, progress);
   for (const PortDescription& port : extra_inputs(description)) {
-    const std::string path = text_parameter(invocation, port.name);
+    const std::string path = text_option(invocation, port.name);
     if (!path.empty()) values[port.name] = std::make_shared<const Report>(read_report(path));
   }
   return values;
@@ -223,7 +224,7 @@ bool only_lists(const OperationDescription& description, const Invocation& invoc
 /// Whether there are questions, which need no file to be written.
 bool asks(const OperationDescription& description, const Invocation& invocation) {
   return std::ranges::any_of(description.inputs, [&](const PortDescription& port) {
-    return port.asks && !text_parameter(invocation, port.name).empty();
+    return port.asks && !text_option(invocation, port.name).empty();
   });
 }
 
@@ -232,7 +233,7 @@ void check_files(const OperationDescription& description, const std::vector<Foll
                  const Invocation& invocation) {
   const auto inputs = extra_inputs(description);
   const auto streams = std::count_if(inputs.begin(), inputs.end(), [&](const PortDescription& port) {
-    return text_parameter(invocation, port.name) == "-";
+    return text_option(invocation, port.name) == "-";
   });
   if (streams + (invocation.input == "-" ? 1 : 0) > 1) {
     throw Error(make_error(Category::Usage, "E_USAGE", "Only one input can come from standard input."));
@@ -242,13 +243,13 @@ void check_files(const OperationDescription& description, const std::vector<Foll
     output_mesh_format(invocation.output, invocation.output_format);
   }
   for (const PortDescription& port : extra_outputs(description)) {
-    const std::string path = text_parameter(invocation, port.name);
+    const std::string path = text_option(invocation, port.name);
     if (path.empty()) continue;
     any = true;
     if (port.type == ValueType::Mesh) output_mesh_format(path, "");
   }
   for (const FollowUp& follow_up : follow_ups) {
-    const std::string path = text_parameter(invocation, follow_up.option());
+    const std::string path = text_option(invocation, follow_up.option());
     any = any || !path.empty();
     if (!path.empty() && follow_up.output().type == ValueType::Mesh) output_mesh_format(path, "");
   }
@@ -323,7 +324,7 @@ void stage_outputs(const OperationDescription& description, const Invocation& in
     }
   }
   for (const PortDescription& port : extra_outputs(description)) {
-    const std::string path = text_parameter(invocation, port.name);
+    const std::string path = text_option(invocation, port.name);
     if (path.empty()) continue;
     Value value = computed.outputs.at(port.name);
     if (const auto report = value.as<Report>()) {
@@ -337,7 +338,7 @@ void stage_outputs(const OperationDescription& description, const Invocation& in
 void stage_follow_ups(const std::vector<FollowUp>& follow_ups, const Invocation& invocation, const Computed& computed,
                       CommandResult& result, Progress& progress) {
   for (const FollowUp& follow_up : follow_ups) {
-    const std::string path = text_parameter(invocation, follow_up.option());
+    const std::string path = text_option(invocation, follow_up.option());
     if (path.empty()) continue;
     const OperationResult made = run(follow_up, computed.outputs, invocation, progress);
     const Value& value = made.outputs.at(follow_up.output().name);
@@ -373,17 +374,6 @@ std::string list_text(const Report& details) {
   return text;
 }
 
-ParameterDescription drop_description() {
-  return {drop_option,
-          ParameterType::Flag,
-          false,
-          0,
-          0,
-          {},
-          "",
-          "Drop vertices with coordinates that are not finite, and the faces that use them, instead of refusing."};
-}
-
 /// An example where the program writes STEP files, else the reason why it doesn't.
 void add_step(const std::string& call, CommandDescription& description) {
   const std::string why = why_no_step();
@@ -407,13 +397,27 @@ std::string example_input(ValueType type) {
   return type == ValueType::AttributeNetwork ? "network.json" : "model.obj";
 }
 
-}  // namespace
+/// Operations don't hear what was found while their inputs were read, but the report has both: strokes that any finding
+/// names are flagged in the list `strokes` of the details, where there is one.
+void flag_strokes(const Findings& findings, Report& details) {
+  constexpr const char* list = "strokes";
+  const Report* strokes = details.find(list);
+  const auto* uses = strokes != nullptr ? std::get_if<Report::Object>(&strokes->value()) : nullptr;
+  if (uses == nullptr) return;
+  std::set<std::string> named;
+  for (const Finding& finding : findings) {
+    for (const Subject& subject : finding.subjects) {
+      if (subject.kind == SubjectKind::Stroke) named.insert(subject.id);
+    }
+  }
+  Report::Object flagged = *uses;
+  for (auto& [id, use] : flagged) {
+    if (named.contains(id)) use = "flagged";
+  }
+  details.set(list, Report::of_members(std::move(flagged)));
+}
 
-OperationCommand::OperationCommand(const Operation& operation, const Registry& registry)
-    : operation_(operation), follow_ups_(follow_ups_of(operation.describe(), registry)) {}
-
-CommandDescription OperationCommand::describe() const {
-  const OperationDescription operation = operation_.describe();
+CommandDescription describe_command(const OperationDescription& operation, const std::vector<FollowUp>& follow_ups) {
   CommandDescription description;
   description.name = operation.id;
   description.sentence = operation.sentence;
@@ -424,16 +428,17 @@ CommandDescription OperationCommand::describe() const {
   const bool may_ask = std::ranges::any_of(operation.inputs, &PortDescription::asks);
   description.output = extra.empty() && !may_list && !may_ask ? OutputNeed::Required : OutputNeed::Optional;
   description.parameters = operation.parameters;
-  if (operation.inputs.front().is_raw) description.parameters.push_back(drop_description());
+  if (operation.inputs.front().is_raw)
+    description.parameters.push_back(flag_parameter(
+        drop_option, false,
+        "Drop vertices with coordinates that are not finite, and the faces that use them, instead of refusing."));
   for (const PortDescription& port : extra_inputs(operation)) {
-    description.parameters.push_back(
-        {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Read from a JSON file: " + port.sentence});
+    description.parameters.push_back(file_parameter(port.name, "Read from a JSON file: " + port.sentence));
   }
   for (const PortDescription& port : extra) {
-    description.parameters.push_back(
-        {port.name, ParameterType::File, std::string(), 0, 0, {}, "", "Write to FILE: " + port.sentence});
+    description.parameters.push_back(file_parameter(port.name, "Write to FILE: " + port.sentence));
   }
-  for (const FollowUp& follow_up : follow_ups_) {
+  for (const FollowUp& follow_up : follow_ups) {
     const auto options = options_of(follow_up);
     description.parameters.insert(description.parameters.end(), options.begin(), options.end());
   }
@@ -448,9 +453,10 @@ CommandDescription OperationCommand::describe() const {
   return description;
 }
 
-void OperationCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
-  const OperationDescription description = operation_.describe();
-  check_files(description, follow_ups_, invocation);
+void run_operation(const Operation& operation, const std::vector<FollowUp>& follow_ups, const Invocation& invocation,
+                   CommandResult& result, Progress& progress) {
+  const OperationDescription& description = operation.describe();
+  check_files(description, follow_ups, invocation);
   Progress reading = progress.step("read", 0.05);
   const Values inputs = read_values(description, invocation, result, reading);
 
@@ -458,7 +464,7 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
   Context context{computing};
   context.threads = static_cast<int>(invocation.threads);
   OperationResult computed =
-      croquis::run(operation_, inputs, operation_parameters(description, invocation, inputs), context);
+      croquis::run(operation, inputs, operation_parameters(description, invocation, inputs), context);
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   const auto details = computed.outputs.find(details_output);
@@ -472,10 +478,21 @@ void OperationCommand::run(const Invocation& invocation, CommandResult& result, 
     Progress writing = progress.step("write", 0.1);
     const Computed all{inputs, computed.outputs, camera_among(computed.outputs)};
     stage_outputs(description, invocation, all, result, writing);
-    stage_follow_ups(follow_ups_, invocation, all, result, writing);
+    stage_follow_ups(follow_ups, invocation, all, result, writing);
     result.text = result.files.empty() && asks(description, invocation) ? list_text(*result.details) : summary(result);
   }
   progress.report(1);
+}
+
+}  // namespace
+
+Command operation_command(const Operation& operation, const Registry& registry) {
+  const OperationDescription& description = operation.describe();
+  const std::vector<FollowUp> follow_ups = follow_ups_of(description, registry);
+  return {describe_command(description, follow_ups),
+          [&operation, follow_ups](const Invocation& invocation, CommandResult& result, Progress& progress) {
+            run_operation(operation, follow_ups, invocation, result, progress);
+          }};
 }
 
 }  // namespace croquis::cli

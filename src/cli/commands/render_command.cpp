@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/render_command.h"
-
 #include <charconv>
 #include <string>
 #include <utility>
 
+#include "cli/command.h"
 #include "cli/files.h"
 #include "croquis/base/error.h"
+#include "croquis/base/parameter_list.h"
 #include "croquis/io/png.h"
 #include "croquis/render/offscreen_context.h"
 #include "croquis/render/picture.h"
@@ -14,11 +14,17 @@
 namespace croquis::cli {
 namespace {
 
+struct RenderSettings {
+  render::PictureSize size = {800, 600};
+  render::NamedView view = render::NamedView::Perspective;
+  bool z_up = false;
+  bool wire = false, zebra = false;
+};
+
 Error bad_size(const std::string& text) {
-  return Error(make_error(Category::Usage, "E_PARAMETER",
-                          "'" + text + "' is no value for size: it takes WIDTHxHEIGHT in pixels, each from 1 to " +
-                              std::to_string(render::max_picture_size) + ", such as 800x600.",
-                          {{SubjectKind::Parameter, "size", {}, {}, {}}}));
+  return Error(refused_value(
+      "size", text,
+      "WIDTHxHEIGHT in pixels, each from 1 to " + std::to_string(render::max_picture_size) + ", such as 800x600"));
 }
 
 render::PictureSize parse_size(const std::string& text) {
@@ -34,11 +40,15 @@ render::PictureSize parse_size(const std::string& text) {
   return size;
 }
 
-render::NamedView named_view(const std::string& name) {
-  if (name == "front") return render::NamedView::Front;
-  if (name == "side") return render::NamedView::Side;
-  if (name == "top") return render::NamedView::Top;
-  return render::NamedView::Perspective;
+void list_render_parameters(RenderSettings& settings, ParameterList& list) {
+  ParameterDescription size = text_parameter("size", "800x600", "Width and height of the picture.");
+  size.unit = "pixels";
+  list.add(std::move(size), [&](const ParameterValue& given) { settings.size = parse_size(to_text(given)); });
+  list.choice("view", settings.view, {"front", "side", "top", "persp"}, "Where it is seen from.");
+  list.choice("up", settings.z_up, {"y", "z"},
+              "The model's axis that points up: z in solids of perspective drawings and in most scans.");
+  list.flag("wire", settings.wire, "Draw the polygons' edges as well.");
+  list.flag("zebra", settings.zebra, "Let the surface mirror black and white stripes, which show how smooth it is.");
 }
 
 /// The same look at a model whose z axis points up: its y axis points away from who looks at its front.
@@ -56,49 +66,9 @@ void check_picture_format(const Invocation& invocation) {
                          {{SubjectKind::File, invocation.output, {}, {}, {}}}));
 }
 
-}  // namespace
-
-CommandDescription RenderCommand::describe() const {
-  CommandDescription description;
-  description.name = "render";
-  description.sentence = "Draws a picture of a mesh; needs no display.";
-  description.output = OutputNeed::Required;
-  description.parameters = {
-      {"size", ParameterType::Text, std::string("800x600"), 0, 0, {}, "pixels", "Width and height of the picture."},
-      {"view",
-       ParameterType::Choice,
-       std::string("persp"),
-       0,
-       0,
-       {"front", "side", "top", "persp"},
-       "",
-       "Where it is seen from."},
-      {"up",
-       ParameterType::Choice,
-       std::string("y"),
-       0,
-       0,
-       {"y", "z"},
-       "",
-       "The model's axis that points up: z in solids of perspective drawings and in most scans."},
-      {"wire", ParameterType::Flag, false, 0, 0, {}, "", "Draw the polygons' edges as well."},
-      {"zebra",
-       ParameterType::Flag,
-       false,
-       0,
-       0,
-       {},
-       "",
-       "Let the surface mirror black and white stripes, which show how smooth it is."}};
-  description.examples = {"croquis-cli render solid.obj -o solid.png",
-                          "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire",
-                          "croquis-cli render solid.obj -o stripes.png --zebra --up z"};
-  return description;
-}
-
-void RenderCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+void run_render(const Invocation& invocation, CommandResult& result, Progress& progress) {
   check_picture_format(invocation);
-  const render::PictureSize size = parse_size(text_of(invocation.parameters, "size"));
+  const auto settings = settings_of(list_render_parameters, invocation.parameters);
   Progress reading = progress.step("read", 0.4);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);
 
@@ -109,17 +79,30 @@ void RenderCommand::run(const Invocation& invocation, CommandResult& result, Pro
   looks.use_normal_channel = true;  // as the file has them, where it has any
   const std::vector<render::MeshItemPtr> items = {render::make_mesh_item(mesh, looks)};
   render::RenderOptions options;
-  options.wire = flag_of(invocation.parameters, "wire");
-  if (flag_of(invocation.parameters, "zebra")) options.shading = render::Shading::Zebra;
-  auto direction = render::view_direction(named_view(text_of(invocation.parameters, "view")));
-  if (text_of(invocation.parameters, "up") == "z") direction = with_z_up(direction);
-  const render::Camera camera = render::frame(render::points_of(items), direction, size.aspect());
+  options.wire = settings.wire;
+  if (settings.zebra) options.shading = render::Shading::Zebra;
+  auto direction = render::view_direction(settings.view);
+  if (settings.z_up) direction = with_z_up(direction);
+  const render::Camera camera = render::frame(render::points_of(items), direction, settings.size.aspect());
   drawing.check();
-  render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, size);
+  render::RenderedPicture picture = render::render_picture(renderer, items, camera, options, settings.size);
 
   Progress writing = progress.step("write", 0.1);
   stage_file(invocation.output, encode_png({picture.width, picture.height, std::move(picture.rgba)}), result);
   progress.report(1);
+}
+
+}  // namespace
+
+Command render_command() {
+  return {{.name = "render",
+           .sentence = "Draws a picture of a mesh; needs no display.",
+           .output = OutputNeed::Required,
+           .parameters = parameters_of(list_render_parameters),
+           .examples = {"croquis-cli render solid.obj -o solid.png",
+                        "croquis-cli render solid.obj -o top.png --view top --size 1600x1200 --wire",
+                        "croquis-cli render solid.obj -o stripes.png --zebra --up z"}},
+          run_render};
 }
 
 }  // namespace croquis::cli

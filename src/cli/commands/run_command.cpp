@@ -1,20 +1,250 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/run_command.h"
-
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <set>
+#include <sstream>
 #include <utility>
+#include <vector>
 
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/mesh_text.h"
-#include "cli/mesh_union.h"
-#include "cli/project_settings.h"
 #include "cli/solid_faults.h"
+#include "croquis/base/described.h"
 #include "croquis/base/error.h"
 #include "croquis/document/evaluator.h"
 #include "croquis/io/project_file.h"
 
 namespace croquis::cli {
 namespace {
+
+// ---- Values for one run
+
+struct Setting {
+  std::string node;
+  std::string parameter;
+  std::string value;
+};
+
+Error refused(const char* code, std::string message, const std::string& subject, SubjectKind kind) {
+  return Error(make_error(Category::Usage, code, std::move(message), {{kind, subject, {}, {}, {}}}));
+}
+
+/// Names may hold dots, parameters don't.
+bool parse(const std::string& text, Setting& setting) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return false;
+  const auto dot = text.rfind('.', equals);
+  if (dot == std::string::npos || dot == 0 || dot + 1 == equals) return false;
+  setting = {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
+  return true;
+}
+
+std::vector<Setting> split(const std::string& settings) {
+  std::vector<Setting> list;
+  std::istringstream stream(settings);
+  for (std::string piece; std::getline(stream, piece, ';');) {
+    Setting setting;
+    if (parse(piece, setting)) {
+      list.push_back(std::move(setting));
+    } else if (list.empty()) {
+      throw refused("E_USAGE", "'" + piece + "' is no setting: write NODE.PARAMETER=VALUE.", "set",
+                    SubjectKind::Parameter);
+    } else {
+      list.back().value += ";" + piece;
+    }
+  }
+  return list;
+}
+
+const Node& find_node(const Document& document, const std::string& wanted) {
+  const Node* found = nullptr;
+  for (const auto& node : document.nodes()) {
+    if (std::to_string(node->id) == wanted) return *node;
+    if (node->name != wanted) continue;
+    if (found != nullptr) {
+      throw refused("E_USAGE", "Several nodes are called '" + wanted + "'; name the one you mean by its id.", wanted,
+                    SubjectKind::Node);
+    }
+    found = node.get();
+  }
+  if (found != nullptr) return *found;
+  std::string names;
+  for (const auto& node : document.nodes()) {
+    names += (names.empty() ? "" : ", ") + std::to_string(node->id) + " ('" + node->name + "')";
+  }
+  throw refused("E_USAGE",
+                "There is no node '" + wanted + "' in the project; there are " + (names.empty() ? "none" : names) + ".",
+                wanted, SubjectKind::Node);
+}
+
+Document with_setting(const Document& document, const Setting& setting, const Registry& registry) {
+  Node node = find_node(document, setting.node);
+  const Operation* operation = registry.find(node.operation);
+  const auto parameters = operation == nullptr ? std::vector<ParameterDescription>() : operation->describe().parameters;
+  const ParameterDescription* found = find_parameter(parameters, setting.parameter);
+  if (found == nullptr) {
+    throw refused("E_PARAMETER",
+                  "Node '" + setting.node + "' has no parameter '" + setting.parameter +
+                      "'; croquis-cli operations lists them all.",
+                  setting.parameter, SubjectKind::Parameter);
+  }
+  node.parameters[setting.parameter] = parse_parameter(*found, setting.value);
+  return document.with(std::move(node));
+}
+
+/// The document with other parameters.
+/// @param settings NODE.PARAMETER=VALUE, several separated by ';'. NODE is a node's id or its name. A piece that isn't
+///        of that form belongs to the value before it, which may be a list of its own.
+/// @throws Error (E_USAGE, E_PARAMETER; Category::Usage) with a finding for each setting that can't be
+Document with_settings(const Document& document, const std::string& settings, const Registry& registry) {
+  Document edited = document;
+  Findings findings;
+  for (const Setting& setting : split(settings)) {
+    try {
+      edited = with_setting(edited, setting, registry);
+    } catch (const Error& error) {
+      findings.insert(findings.end(), error.findings().begin(), error.findings().end());
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+  return edited;
+}
+
+// ---- Several meshes in one file
+
+/// A mesh among others in one file.
+struct NamedMesh {
+  std::string name;
+  std::shared_ptr<const PolyMesh> mesh;
+};
+
+struct MeshUnion {
+  PolyMesh mesh;      ///< the parts one after the other; "object" on faces and lines distinguishes them; tags are kept
+  Findings warnings;  ///< at most one W_CHANNELS: attributes that not all parts have, left out
+};
+
+constexpr const char* object_channel = "object";
+
+/// Channels can be joined when every part has one of that name, width and type without labels of its own.
+bool everywhere(const std::vector<NamedMesh>& parts, const AttributeChannel& channel) {
+  return std::all_of(parts.begin(), parts.end(), [&](const NamedMesh& part) {
+    const AttributeChannel* other = part.mesh->channel(channel.name, channel.domain);
+    return other != nullptr && other->width == channel.width && other->data.index() == channel.data.index() &&
+           other->labels.empty();
+  });
+}
+
+void append_values(AttributeChannel& all, const AttributeChannel& more) {
+  const auto append = [&](auto& values) {
+    const auto& others = std::get<std::decay_t<decltype(values)>>(more.data);
+    values.insert(values.end(), others.begin(), others.end());
+  };
+  std::visit(append, all.data);
+}
+
+void append_lists(std::vector<Index>& offsets, std::vector<Index>& vertices, const std::vector<Index>& more_offsets,
+                  const std::vector<Index>& more_vertices, Index first_vertex) {
+  const Index first = offsets.back();
+  for (std::size_t i = 1; i < more_offsets.size(); ++i) offsets.push_back(first + more_offsets[i]);
+  for (const Index vertex : more_vertices) vertices.push_back(first_vertex + vertex);
+}
+
+/// Tags of vertices that the part doesn't have would mean those of the next one, so they go.
+void append_tags(const NamedMesh& part, Index first, MeshTags& all) {
+  using Edge = std::array<Index, 2>;
+  const auto is_there = [&](Index vertex) { return vertex < part.mesh->vertex_count(); };
+  const auto are_there = [&](const Edge& edge) { return is_there(edge[0]) && is_there(edge[1]); };
+  const auto shifted = [&](const Edge& edge) { return Edge{first + edge[0], first + edge[1]}; };
+  const auto append_pins = [&](const std::vector<Index>& pins, std::vector<Index>& to) {
+    for (const Index pin : pins) {
+      if (is_there(pin)) to.push_back(first + pin);
+    }
+  };
+  const MeshTags& tags = part.mesh->tags;
+  for (const Crease& crease : tags.creases) {
+    if (are_there(crease.vertices)) all.creases.push_back({shifted(crease.vertices), crease.sharpness});
+  }
+  append_pins(tags.pins, all.pins);
+  for (const CreaseSet& set : tags.sets) {
+    CreaseSet copy{part.name + ": " + set.name, set.sharpness, {}, {}};
+    for (const Edge& edge : set.edges) {
+      if (are_there(edge)) copy.edges.push_back(shifted(edge));
+    }
+    append_pins(set.pins, copy.pins);
+    all.sets.push_back(std::move(copy));
+  }
+}
+
+void append_part(PolyMesh& all, const NamedMesh& named) {
+  const PolyMesh& part = *named.mesh;
+  const auto first_vertex = static_cast<Index>(all.positions.size());
+  append_tags(named, first_vertex, all.tags);
+  all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
+  append_lists(all.face_offsets, all.corners, part.face_offsets, part.corners, first_vertex);
+  append_lists(all.line_offsets, all.line_vertices, part.line_offsets, part.line_vertices, first_vertex);
+  for (AttributeChannel& channel : all.channels) append_values(channel, *part.channel(channel.name, channel.domain));
+}
+
+AttributeChannel objects(const std::vector<NamedMesh>& parts, Domain domain) {
+  AttributeChannel channel{object_channel, domain, 1, std::vector<std::int32_t>(), {}};
+  auto& values = std::get<std::vector<std::int32_t>>(channel.data);
+  for (const NamedMesh& part : parts) {
+    values.insert(values.end(), part.mesh->element_count(domain), static_cast<std::int32_t>(channel.labels.size()));
+    channel.labels.push_back(part.name);
+  }
+  return channel;
+}
+
+/// Empty channels to be filled, and the names of those that can't be.
+std::set<std::string> prepare_channels(const std::vector<NamedMesh>& parts, PolyMesh& all) {
+  std::set<std::string> dropped;
+  for (const NamedMesh& part : parts) {
+    for (const AttributeChannel& channel : part.mesh->channels) {
+      if (channel.name == object_channel) continue;
+      if (!everywhere(parts, channel)) {
+        dropped.insert(channel.name);
+      } else if (all.channel(channel.name, channel.domain) == nullptr) {
+        AttributeChannel empty = channel;
+        std::visit([](auto& values) { values.clear(); }, empty.data);
+        all.channels.push_back(std::move(empty));
+      }
+    }
+  }
+  return dropped;
+}
+
+void require_room(const std::vector<NamedMesh>& parts) {
+  std::size_t vertices = 0, corners = 0, line_vertices = 0;
+  for (const NamedMesh& part : parts) {
+    vertices += part.mesh->vertex_count();
+    corners += part.mesh->corners.size();
+    line_vertices += part.mesh->line_vertices.size();
+  }
+  if (std::max({vertices, corners, line_vertices}) < std::numeric_limits<Index>::max()) return;
+  throw Error(make_error(Category::Limit, "E_LIMIT",
+                         "The project's meshes have too many vertices for one file; hide some of them."));
+}
+
+/// One mesh of several, which stay as they are beside each other. A single one stays itself.
+MeshUnion unite(const std::vector<NamedMesh>& parts) {
+  if (parts.size() == 1) return {*parts.front().mesh, {}};
+  require_room(parts);
+  MeshUnion result;
+  const std::set<std::string> dropped = prepare_channels(parts, result.mesh);
+  for (const NamedMesh& part : parts) append_part(result.mesh, part);
+  for (const Domain domain : {Domain::Face, Domain::Line}) result.mesh.channels.push_back(objects(parts, domain));
+  if (dropped.empty()) return result;
+  std::string names;
+  for (const std::string& name : dropped) names += (names.empty() ? "'" : ", '") + name + "'";
+  result.warnings.push_back(make_warning(Category::Geometry, "W_CHANNELS",
+                                         "Attributes that not all meshes of the project have alike were left out: " +
+                                             names + "; show one mesh at a time to keep them."));
+  return result;
+}
+
+// ---- What is evaluated
 
 /// The output that is a node's mesh.
 struct MeshPort {
@@ -57,24 +287,6 @@ std::vector<const Node*> results_of(const Document& document, const Registry& re
 
 std::string title_of(const Node& node) { return node.name.empty() ? "node-" + std::to_string(node.id) : node.name; }
 
-/// The node and all that it is made from, in the document's order.
-std::vector<const Node*> sources_of(const Document& document, NodeId id) {
-  std::set<NodeId> reached;
-  std::vector<NodeId> pending = {id};
-  while (!pending.empty()) {
-    const NodeId next = pending.back();
-    pending.pop_back();
-    const Node* node = document.find(next);
-    if (node == nullptr || !reached.insert(next).second) continue;
-    for (const auto& [port, link] : node->inputs) pending.push_back(link.node);
-  }
-  std::vector<const Node*> nodes;
-  for (const auto& node : document.nodes()) {
-    if (reached.contains(node->id)) nodes.push_back(node.get());
-  }
-  return nodes;
-}
-
 class ProjectRun {
  public:
   ProjectRun(const Registry& registry, const Document& document, CommandResult& result)
@@ -82,9 +294,8 @@ class ProjectRun {
 
   void evaluate(const Node& node, Progress& progress) {
     const auto evaluation = evaluator_.evaluate(document_, node.id, Quality::Final, progress);
-    Report entry;
-    entry.set("id", std::to_string(node.id)).set("name", node.name).set("operation", node.operation);
-    entry.set("failed", evaluation->failed);
+    Report entry = to_report(fields(named("id", std::to_string(node.id)), named("name", node.name),
+                                    named("operation", node.operation), named("failed", evaluation->failed)));
     const auto details = evaluation->outputs.find("details");
     if (details != evaluation->outputs.end()) {
       if (const auto report = details->second.as<Report>()) {
@@ -123,7 +334,7 @@ class ProjectRun {
  private:
   /// The findings of everything that the node is made from, once. These evaluations are available already.
   void collect_findings(NodeId id) {
-    for (const Node* node : sources_of(document_, id)) {
+    for (const auto& node : document_.upstream(id)) {
       if (!told_.insert(node->id).second) continue;
       Progress silent;
       const Findings more = evaluator_.evaluate(document_, node->id, Quality::Final, silent)->findings;
@@ -147,39 +358,17 @@ ProjectFile read_input_project(const Invocation& invocation, Progress& progress)
   return load_project(invocation.input, progress);
 }
 
-}  // namespace
-
-CommandDescription RunCommand::describe() const {
-  CommandDescription description;
-  description.name = "run";
-  description.sentence = "Evaluates a project and writes its visible meshes that no other visible mesh is made of.";
-  description.input_word = "FILE.croq";
-  description.output = OutputNeed::Required;
-  description.parameters = {{"set",
-                             ParameterType::Text,
-                             std::string(),
-                             0,
-                             0,
-                             {},
-                             "",
-                             "NODE.PARAMETER=VALUE: another value, for this run; NODE is a name or an id.",
-                             true}};
-  description.examples = {"croquis-cli run project.croq -o solid.obj",
-                          "croquis-cli run project.croq -o solid.obj --set inflate.min-gap=0.5"};
-  return description;
-}
-
-void RunCommand::run(const Invocation& invocation, CommandResult& result, Progress& progress) const {
+void run_project(const Registry& registry, const Invocation& invocation, CommandResult& result, Progress& progress) {
   const MeshFormat format = output_mesh_format(invocation.output, invocation.output_format);
   Progress reading = progress.step("read", 0.05);
   ProjectFile project = read_input_project(invocation, reading);
   result.warnings = std::move(project.warnings);
   const std::string settings = text_of(invocation.parameters, "set");
-  const Document document = with_settings(project.document, settings, registry_);
+  const Document document = with_settings(project.document, settings, registry);
 
   Progress evaluating = progress.step("evaluate", 0.85);
-  const std::vector<const Node*> wanted = results_of(document, registry_);
-  ProjectRun project_run(registry_, document, result);
+  const std::vector<const Node*> wanted = results_of(document, registry);
+  ProjectRun project_run(registry, document, result);
   for (const Node* node : wanted) {
     Progress step = evaluating.step(title_of(*node), 1.0 / static_cast<double>(wanted.size()));
     project_run.evaluate(*node, step);
@@ -198,6 +387,22 @@ void RunCommand::run(const Invocation& invocation, CommandResult& result, Progre
   }
   result.text = mesh_text(*result.mesh);
   progress.report(1);
+}
+
+}  // namespace
+
+Command run_command(const Registry& registry) {
+  return {{.name = "run",
+           .sentence = "Evaluates a project and writes its visible meshes that no other visible mesh is made of.",
+           .input_word = "FILE.croq",
+           .output = OutputNeed::Required,
+           .parameters = {list_parameter(
+               "set", "NODE.PARAMETER=VALUE: another value, for this run; NODE is a name or an id.")},
+           .examples = {"croquis-cli run project.croq -o solid.obj",
+                        "croquis-cli run project.croq -o solid.obj --set inflate.min-gap=0.5"}},
+          [&registry](const Invocation& invocation, CommandResult& result, Progress& progress) {
+            run_project(registry, invocation, result, progress);
+          }};
 }
 
 }  // namespace croquis::cli

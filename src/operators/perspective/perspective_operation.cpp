@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/perspective/perspective_operation.h"
-
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "operators/memo_stage_cache.h"
-#include "operators/perspective/perspective_findings.h"
+#include "operators/operations.h"
 #include "operators/perspective/perspective_report.h"
 #include "operators/perspective/perspective_settings.h"
 
@@ -47,32 +45,10 @@ void list_all_strokes(const PerspectiveDrawing& given, PerspectiveResult& result
   result.strokes = std::move(all);
 }
 
-}  // namespace
-
-OperationDescription PerspectiveOperation::describe() const {
-  PortDescription mesh{"mesh", ValueType::Mesh,
-                       "The solid as triangles: along planes and smooth patches, watertight where all edges have two "
-                       "faces."};
-  mesh.is_closed = true;
-  return {"perspective",
-          1,
-          "Solid from Perspective",
-          "Turns one perspective drawing into a solid: finds the eye, lifts every stroke into space, finds the faces.",
-          {{"drawing", ValueType::PerspectiveDrawing, "Strokes with the axis or the plane that each lies along."}},
-          {std::move(mesh),
-           {"curves", ValueType::CurveNetwork, "Every edge in space."},
-           {"camera", ValueType::Camera, "The eye that the drawing was seen from."},
-           {"solid", ValueType::Brep, "Faces, edges and vertices with their exact curves and patches."},
-           {"patches", ValueType::Report, "The surfaces: planes with loops, Gregory patches with control points."},
-           {"details", ValueType::Report, "The camera, every stroke, corners and faces."}},
-          perspective_parameters()};
-}
-
-OperationResult PerspectiveOperation::compute(const Values& inputs, const ParameterValues& parameters,
-                                              Context& context) const {
+OperationResult compute_perspective(const Values& inputs, PerspectiveSettings settings, Context& context) {
   const auto& given = inputs.at("drawing").get<PerspectiveDrawing>();
-  PerspectiveSettings settings = read_perspective_settings(parameters);
-  PerspectiveDrawing drawing = with_parameters(given, parameters);
+  PerspectiveDrawing drawing = with_settings(given, settings);
+  settings.network.continuity.angle = settings.solid.continuity.angle = settings.smooth_angle;
   MemoStageCache cache(context.memo);
   if (context.memo != nullptr) settings.network.cache = &cache;
 
@@ -101,6 +77,28 @@ OperationResult PerspectiveOperation::compute(const Values& inputs, const Parame
   result.outputs["details"] = std::make_shared<const Report>(to_report(details));
   result.details = std::move(details);
   return result;
+}
+
+}  // namespace
+
+std::unique_ptr<const Operation> perspective_operation() {
+  PortDescription mesh{"mesh", ValueType::Mesh,
+                       "The solid as triangles: along planes and smooth patches, watertight where all edges have two "
+                       "faces."};
+  mesh.is_closed = true;
+  return operation_of(
+      {"perspective",
+       1,
+       "Solid from Perspective",
+       "Turns one perspective drawing into a solid: finds the eye, lifts every stroke into space, finds the faces.",
+       {{"drawing", ValueType::PerspectiveDrawing, "Strokes with the axis or the plane that each lies along."}},
+       {std::move(mesh),
+        {"curves", ValueType::CurveNetwork, "Every edge in space."},
+        {"camera", ValueType::Camera, "The eye that the drawing was seen from."},
+        {"solid", ValueType::Brep, "Faces, edges and vertices with their exact curves and patches."},
+        {"patches", ValueType::Report, "The surfaces: planes with loops, Gregory patches with control points."},
+        {"details", ValueType::Report, "The camera, every stroke, corners and faces."}}},
+      list_perspective_parameters, compute_perspective);
 }
 
 }  // namespace croquis

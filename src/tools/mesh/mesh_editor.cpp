@@ -8,7 +8,6 @@
 
 #include "croquis/base/error.h"
 #include "croquis/edits/apply_edits.h"
-#include "croquis/edits/starting_line.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis {
@@ -55,9 +54,9 @@ bool MeshEditor::fits_selection(const EditDescription& edit) const {
 }
 
 Verdict MeshEditor::begin(const std::string& id) {
-  const Edit* edit = all_edits().find(id);
+  const Edit* edit = find_edit(id);
   const PreparedMesh* now = editable_.prepared();
-  if (edit == nullptr || now == nullptr || !fits_selection(edit->describe())) return Verdict::Continue;
+  if (edit == nullptr || now == nullptr || !fits_selection(edit->description)) return Verdict::Continue;
   return apply(
       starting_line(*now->mesh, *now->topology, *edit, {selector_.kind(), false, Elements(selector_.selected())}));
 }
@@ -98,7 +97,7 @@ Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::opt
   log_.begin();
   const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
-  MeshEdit edit = apply_edit(*now->mesh, *now->topology, line, all_edits());
+  MeshEdit edit = apply_edit(*now->mesh, *now->topology, line);
   log_.notes = std::move(edit.lost);
   if (same_mesh(*now->mesh, edit.mesh)) return Verdict::Continue;
   const Verdict verdict = commit(line, label, std::move(edit), after);

@@ -9,7 +9,7 @@ namespace {
 EditLine edit_line_of(const std::string& text) {
   std::vector<EditLine> lines;
   try {
-    lines = parse_edit_lines(text, all_edits());
+    lines = parse_edit_lines(text);
   } catch (const Error& error) {
     std::string sentence = error.findings().front().message;
     if (sentence.ends_with('.')) sentence.pop_back();

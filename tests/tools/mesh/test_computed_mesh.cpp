@@ -50,7 +50,7 @@ struct Bench {
   }
   Session& session() { return workspace.session(); }
   const PolyMesh& mesh() const { return *tool.editable().mesh(); }
-  Verdict apply(const std::string& text) { return tool.edits().apply(parse_edit_lines(text, all_edits()).front()); }
+  Verdict apply(const std::string& text) { return tool.edits().apply(parse_edit_lines(text).front()); }
   ContentHash hash() { return content_hash(session().document()); }
   std::string lines() { return text_of(session().document().find(tool.editable().node())->parameters, "do"); }
 

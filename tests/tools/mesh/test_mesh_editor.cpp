@@ -14,7 +14,7 @@
 namespace croquis {
 namespace {
 
-EditLine line_of(const std::string& text) { return parse_edit_lines(text, all_edits()).front(); }
+EditLine line_of(const std::string& text) { return parse_edit_lines(text).front(); }
 
 /// A mesh called "box" under the tool.
 struct Bench {

@@ -201,8 +201,8 @@ void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
 
 /// From the edits' own descriptions: a new edit needs no line here.
 void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
-  for (const auto& edit : all_edits().edits()) {
-    EditDescription description = edit->describe();
+  for (const Edit& edit : all_edits()) {
+    const EditDescription& description = edit.description;
     if (own_actions.contains(description.id)) continue;
     QList<QKeySequence> keys;
     if (const auto key = edit_keys.find(description.id); key != edit_keys.end()) keys << QKeySequence(key->second);
@@ -211,7 +211,7 @@ void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
         [this, id = description.id] { act([&](MeshTool& tool) { return tool.edits().begin(id); }); },
         Recorded::ByItself);
     action->setToolTip(QString::fromStdString(description.sentence));
-    edit_actions_.push_back({action, std::move(description)});
+    edit_actions_.push_back({action, description});
   }
 }
 

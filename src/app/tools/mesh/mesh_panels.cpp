@@ -268,13 +268,13 @@ EditPanel::EditPanel(MeshEditingTool& mesh, QWidget* parent)
 
 bool EditPanel::useful() const {
   const EditLine* line = mesh_.tool().edits().last();
-  return line != nullptr && !all_edits().find(line->edit)->describe().parameters.empty();
+  return line != nullptr && !find_edit(line->edit)->description.parameters.empty();
 }
 
 void EditPanel::follow() {
   if (!useful()) return;
   const EditLine& line = *mesh_.tool().edits().last();
-  const EditDescription edit = all_edits().find(line.edit)->describe();
+  const EditDescription& edit = find_edit(line.edit)->description;
   if (edit.id != edit_) make_fields(edit);
   title_->setText(QString::fromStdString(mesh_.tool().edits().label_of(line)));
   for (const auto& [name, value] : complete(edit.parameters, line.parameters)) fields_.at(name)->show_value(value);
