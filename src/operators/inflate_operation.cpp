@@ -44,7 +44,7 @@ void list_inflate_parameters(Options& options, ParameterList& list) {
       .titled("Lines on the body", {"drawn on", "cut in", "raised"});
   list.number("detail-width", options.details.width, 2, 50, "‰ of the drawing's diagonal",
               "How wide grooves and ridges are; they are a quarter as deep.")
-      .titled("Width of cuts and ridges");
+      .titled("Line width");
   list.list("attach",
             "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
             "grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, "

@@ -121,6 +121,7 @@ QScrollArea* scrolled(QWidget* panel) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  panel->setMinimumWidth(1);  // fields get narrower when a scroll bar takes some of the width
   scroll->setWidget(panel);
   return scroll;
 }

@@ -14,6 +14,7 @@
 #include "app/panels/finding_elements.h"
 #include "app/panels/lists.h"
 #include "app/panels/object_names.h"
+#include "app/panels/panel.h"
 #include "app/studio/studio.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
@@ -30,9 +31,6 @@ void MainWindow::make_docks() {
   attributes_ = new AttributePanel(this);
   findings_ = new FindingsList(this);
   history_ = new HistoryList(this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
   auto* fields = new QWidget(this);
   auto* column = new QVBoxLayout(fields);
   placement_ = new PlacementFields(fields);
@@ -40,8 +38,8 @@ void MainWindow::make_docks() {
   column->setSpacing(0);
   column->addWidget(placement_);
   column->addWidget(attributes_, 1);
-  scroll->setWidget(fields);
-  docks_ = {panels_->add(tr("Objects"), objects_, "objects"), panels_->add(tr("Attributes"), scroll, "attributes"),
+  docks_ = {panels_->add(tr("Objects"), objects_, "objects"),
+            panels_->add(tr("Attributes"), scrolled(fields), "attributes"),
             panels_->add(tr("Findings"), findings_, "findings"), panels_->add(tr("History"), history_, "history")};
 }
 
