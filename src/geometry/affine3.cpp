@@ -23,17 +23,6 @@ constexpr double least_volume = 1e-12;
 /// Up to this, axes of length 1 at a right angle are taken as such: what rounding makes of them.
 constexpr double axis_tolerance = 1e-9;
 
-template <typename T>
-T as_stored(double value) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(value);
-  } else {
-    const double low = static_cast<double>(std::numeric_limits<T>::min());
-    const double high = static_cast<double>(std::numeric_limits<T>::max());
-    return static_cast<T>(std::clamp(std::round(value), low, high));
-  }
-}
-
 /// Normals keep their lengths, since whole numbers have a unit of their own; NaN stays NaN.
 template <typename T>
 void turn_normals(std::vector<T>& values, const Eigen::Matrix3d& inverse_transpose) {
@@ -43,7 +32,7 @@ void turn_normals(std::vector<T>& values, const Eigen::Matrix3d& inverse_transpo
     const Vec3 turned = old.norm() * unit_or_zero(inverse_transpose * old);
     if (!turned.allFinite()) continue;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      values[i + axis] = as_stored<T>(turned[static_cast<Eigen::Index>(axis)]);
+      values[i + axis] = stored_value<T>(turned[static_cast<Eigen::Index>(axis)]);
   }
 }
 

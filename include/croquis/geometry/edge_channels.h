@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/poly_mesh.h"
 
-/// Values of edges when the faces of a mesh change, and tags as values of edges.
+/// Values of channels: as their types store them, of edges when the faces of a mesh change, and tags as edges' values.
 namespace croquis {
+
+/// The value as a channel of that type stores it: whole numbers are rounded and kept within what the type can hold;
+/// what is no number is the least of them.
+template <typename T>
+T stored_value(double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(value);
+  } else {
+    if (!(value > static_cast<double>(std::numeric_limits<T>::min()))) return std::numeric_limits<T>::min();
+    if (value >= static_cast<double>(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
+    return static_cast<T>(std::round(value));
+  }
+}
 
 /// The edge between two vertices, or no_index; also where a vertex isn't there. O(valence of the first).
 Index find_edge(const MeshTopology& topology, Index a, Index b);

@@ -14,6 +14,7 @@
 #include "algorithms/hole_filling/fairing/fairing.h"
 #include "algorithms/hole_filling/patch_making.h"
 #include "croquis/base/parallel.h"
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_patch.h"
 
@@ -49,17 +50,6 @@ void append_elements(PolyMesh& mesh, Index vertices_given, const HolePatch& patc
   }
 }
 
-template <typename T>
-T stored(double value) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(value);
-  } else {
-    if (!(value > static_cast<double>(std::numeric_limits<T>::min()))) return std::numeric_limits<T>::min();
-    if (value >= static_cast<double>(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
-    return static_cast<T>(value < 0 ? value - 0.5 : value + 0.5);
-  }
-}
-
 /// What stands for "none here": not a number, or 0 where the type has no such value.
 template <typename T>
 constexpr T none = std::is_floating_point_v<T> ? std::numeric_limits<T>::quiet_NaN() : T{0};
@@ -79,7 +69,7 @@ void continue_values(const HarmonicValues& graph, std::size_t width, const Place
       is_category ? Eigen::MatrixXd(known.row(0).replicate(count, 1)) : graph.continued(known);
   auto value = values.begin() + static_cast<std::ptrdiff_t>(placed.first_vertex * width);
   for (Eigen::Index i = 0; i < found.rows(); ++i) {
-    for (Eigen::Index k = 0; k < found.cols(); ++k) *value++ = stored<T>(found(i, k));
+    for (Eigen::Index k = 0; k < found.cols(); ++k) *value++ = stored_value<T>(found(i, k));
   }
 }
 
@@ -98,7 +88,7 @@ void compute_normals(const PolyMesh& mesh, const Placed& placed, std::vector<T>&
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vec3 unit = normals[i].normalized();
     for (std::size_t axis = 0; axis < 3; ++axis)
-      values[3 * (placed.first_vertex + i) + axis] = stored<T>(unit[static_cast<Eigen::Index>(axis)]);
+      values[3 * (placed.first_vertex + i) + axis] = stored_value<T>(unit[static_cast<Eigen::Index>(axis)]);
   }
 }
 

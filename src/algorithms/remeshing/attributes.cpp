@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "croquis/base/parallel.h"
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/polygon_area.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_patch.h"
@@ -22,17 +23,6 @@ namespace {
 using namespace hole_filling;
 
 constexpr double least_from_rim = 0.2;  // × cell: nearer is still the surface given
-
-template <typename T>
-T rounded_value(double value) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(value);
-  } else {
-    const double low = static_cast<double>(std::numeric_limits<T>::min());
-    const double high = static_cast<double>(std::numeric_limits<T>::max());
-    return static_cast<T>(std::clamp(std::round(value), low, high));
-  }
-}
 
 bool is_normal(const AttributeChannel& channel) {
   return channel.name == "normal" && channel.width == 3 &&
@@ -54,7 +44,7 @@ void interpolate(const AttributeChannel& from, const std::array<Index, 3>& corne
           for (std::size_t k = 0; k < 3; ++k)
             sum += weights[k] > 0 ? weights[k] * static_cast<double>(given[corners[k] * width + i]) : 0;
           values[vertex * width + i] =
-              from.labels.empty() ? rounded_value<T>(sum) : given[corners[heaviest] * width + i];
+              from.labels.empty() ? stored_value<T>(sum) : given[corners[heaviest] * width + i];
         }
       },
       to.data);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"
 
 namespace croquis::silhouette {
@@ -32,19 +32,6 @@ void add_cut(const std::array<Index, 3>& v, const std::array<Index, 3>& middle, 
   mesh.add_triangle(rest[0], rest[1], rest[2]);
 }
 
-/// @param origin per face the one of which it is a part
-void pick_faces(const std::vector<Index>& origin, std::size_t face_count, AttributeChannel& channel) {
-  const auto pick = [&](auto& values) {
-    const std::size_t width = values.size() / face_count;
-    const auto whole = std::exchange(values, {});
-    values.reserve(width * origin.size());
-    for (const Index face : origin) {
-      for (std::size_t k = 0; k < width; ++k) values.push_back(whole[face * width + k]);
-    }
-  };
-  std::visit(pick, channel.data);
-}
-
 }  // namespace
 
 bool cut_edges(PolyMesh& mesh, const std::function<bool(Index face, const Vec3& a, const Vec3& b)>& cuts) {
@@ -68,8 +55,7 @@ bool cut_edges(PolyMesh& mesh, const std::function<bool(Index face, const Vec3& 
     add_cut({v[0], v[1], v[2]}, {middle_of(0), middle_of(1), middle_of(2)}, cut);
     origin.resize(cut.face_count(), f);
   }
-  cut.channels = std::move(mesh.channels);
-  for (AttributeChannel& channel : cut.channels) pick_faces(origin, mesh.face_count(), channel);
+  for (const AttributeChannel& channel : mesh.channels) cut.channels.push_back(gathered(channel, origin));
   mesh = std::move(cut);
   return true;
 }

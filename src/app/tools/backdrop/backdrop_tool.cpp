@@ -53,12 +53,7 @@ void add_frame(const Backdrop& backdrop, render::Scene& scene) {
   std::vector<render::Mark> marks;
   for (const Vec2& corner : corners_of(area_of(backdrop))) {
     border.points.push_back({on_plane_of_views(corner), 1, {}});
-    render::Mark mark;
-    mark.position = on_plane_of_views(corner);
-    mark.shape = render::MarkShape::Square;
-    mark.size = corner_size;
-    mark.color = to_color(colors::accent);
-    marks.push_back(mark);
+    marks.push_back({on_plane_of_views(corner), render::MarkShape::Square, corner_size, to_color(colors::accent)});
   }
   scene.lines.emplace_back(
       render::make_line_item({border}, {1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop}));

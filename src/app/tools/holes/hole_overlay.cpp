@@ -26,11 +26,8 @@ render::LinePath path_of(const HoleRim& rim, const QColor& color) {
 }
 
 render::Mark handle_mark(const PatchHandle& handle, bool hovered) {
-  render::Mark mark;
-  mark.position = to_glm(handle.place);
-  mark.shape = render::MarkShape::Square;
-  mark.size = hovered ? 11 : 9;
-  mark.color = with_own_alpha(hovered ? colors::accent.lighter(125) : colors::accent);
+  render::Mark mark{to_glm(handle.place), render::MarkShape::Square, hovered ? 11.0F : 9.0F,
+                    with_own_alpha(hovered ? colors::accent.lighter(125) : colors::accent)};
   mark.outline_width = 1.5F;
   return mark;
 }

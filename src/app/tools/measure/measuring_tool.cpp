@@ -26,11 +26,7 @@ constexpr float hover_pixels = 7;
 constexpr double line_pixels = 2;
 
 render::Mark mark_at(const Vec3& place, float pixels, const QColor& color) {
-  render::Mark mark;
-  mark.position = to_glm(place);
-  mark.shape = render::MarkShape::Disc;
-  mark.size = pixels;
-  mark.color = to_color(color);
+  render::Mark mark{to_glm(place), render::MarkShape::Disc, pixels, to_color(color)};
   mark.outline_width = 2;
   return mark;
 }

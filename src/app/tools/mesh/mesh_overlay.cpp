@@ -38,12 +38,7 @@ render::PointItemPtr points(const std::vector<Vec3>& places, std::span<const Ind
 }
 
 render::Mark dot(const Vec3& place, render::MarkShape shape, float size) {
-  render::Mark mark;
-  mark.position = to_glm(place);
-  mark.shape = shape;
-  mark.size = size;
-  mark.color = to_color(colors::infinite_edge);
-  mark.outline = {255, 255, 255, 255};
+  render::Mark mark{to_glm(place), shape, size, to_color(colors::infinite_edge)};
   mark.outline_width = 1.5F;
   return mark;
 }
@@ -244,12 +239,8 @@ void add_handles(const ManipulatorPicture& picture, render::Scene& scene) {
   }
   std::vector<render::Mark> marks;
   for (const ManipulatorDot& handle : picture.dots) {
-    render::Mark mark;
-    mark.position = to_glm(handle.place);
-    mark.shape = handle.square ? render::MarkShape::Square : render::MarkShape::Disc;
-    mark.size = static_cast<float>(handle.pixels);
-    mark.color = to_color(handle_color(handle.role, handle.state));
-    marks.push_back(mark);
+    marks.push_back({to_glm(handle.place), handle.square ? render::MarkShape::Square : render::MarkShape::Disc,
+                     static_cast<float>(handle.pixels), to_color(handle_color(handle.role, handle.state))});
   }
   if (!marks.empty()) scene.marks.emplace_back(render::make_mark_item(marks));
 }

@@ -60,12 +60,7 @@ render::LineStyle stroke_style(const PerspectiveStroke& stroke, double opacity) 
 }
 
 render::Mark sheet_mark(const Vec2& at, render::MarkShape shape, float size, const QColor& color) {
-  render::Mark mark;
-  mark.position = on_sketch_plane(at);
-  mark.shape = shape;
-  mark.size = size;
-  mark.color = to_color(color);
-  return mark;
+  return {on_sketch_plane(at), shape, size, to_color(color)};
 }
 
 std::optional<Vec2> finite_place(const Vec3& vanishing, const PerspectiveDrawing& drawing) {

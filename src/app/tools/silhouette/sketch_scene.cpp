@@ -119,11 +119,7 @@ void add_overlap_marks(const InflateResult& inflated, const Labels& labels, std:
   for (const StrandOverlap& overlap : inflated.overlaps) {
     // Where one end lies over or under a body, a joint is offered instead.
     if (overlap.crossings.size() < 4) continue;
-    render::Mark mark;
-    mark.position = on_plane(overlap.at);
-    mark.shape = render::MarkShape::OverUnder;
-    mark.size = 16;
-    mark.color = to_color(colors::hover);
+    render::Mark mark{on_plane(overlap.at), render::MarkShape::OverUnder, 16, to_color(colors::hover)};
     turn_mark(labels, overlap.crossings, mark);
     marks.push_back(mark);
   }
@@ -142,11 +138,8 @@ std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
 }
 
 render::Mark finding_symbol(const FindingMark& finding) {
-  render::Mark mark;
-  mark.position = on_plane(finding.at);
-  mark.shape = finding.error ? render::MarkShape::Cross : render::MarkShape::Warning;
-  mark.size = finding.error ? 14 : 18;
-  mark.color = to_color(finding.error ? colors::error : colors::warning);
+  render::Mark mark{on_plane(finding.at), finding.error ? render::MarkShape::Cross : render::MarkShape::Warning,
+                    finding.error ? 14.0F : 18.0F, to_color(finding.error ? colors::error : colors::warning)};
   mark.outline_width = 2;
   return mark;
 }
@@ -212,12 +205,7 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
     const StrokeFit* fit = is_selected && tool.mode() == SketchMode::Select ? tool.fit(stroke.id) : nullptr;
     if (fit == nullptr) continue;
     for (const StrokeAnchor& anchor : fit->anchors) {
-      render::Mark mark;
-      mark.position = on_plane(anchor.position);
-      mark.shape = render::MarkShape::Square;
-      mark.size = 7;
-      mark.color = to_color(colors::accent);
-      anchors.push_back(mark);
+      anchors.push_back({on_plane(anchor.position), render::MarkShape::Square, 7, to_color(colors::accent)});
     }
   }
   strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});

@@ -83,12 +83,7 @@ render::LinePath curve_path(const AttributeNetwork& network, Index curve, const 
 }
 
 render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color) {
-  render::Mark mark;
-  mark.position = to_glm(world);
-  mark.shape = shape;
-  mark.size = size;
-  mark.color = to_color(color);
-  return mark;
+  return {to_glm(world), shape, size, to_color(color)};
 }
 
 render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
