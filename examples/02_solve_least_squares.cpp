@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A rope of five knots, ends held at 0 and 1, that must stay above 0.8 in the middle and is otherwise as straight as
-// can be. A second wish that contradicts the first is not an error: the solver names it.
+// can be. A second request that contradicts the first is not an error: the solver names it.
 #include <iostream>
 
 #include "croquis/solver/least_squares.h"

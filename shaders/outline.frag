@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 // A line around what is seen of outlined surfaces, with a dark border of its own.
-uniform sampler2D normals;  // the fourth part tells outlined surfaces
+uniform sampler2D normals;  // the fourth part marks outlined surfaces
 uniform int samples;        // per pixel and axis
 uniform ivec2 viewport_origin;  // pixels of the target
 uniform int border;             // pixels of the drawn frame outside the viewport

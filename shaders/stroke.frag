@@ -55,7 +55,7 @@ void main() {
   float seen;
   if (seen_at_middle) {
     seen = seen_near(ends.xy + share * along, measure, middle_slack);
-    // Right behind a rim a hidden line can't be told from the rim's own, which comes first; but not its thin border.
+    // Right behind a rim a hidden line can't be distinguished from the rim's own, which comes first; but not its thin border.
     if (seen == 0.5 || outside > -0.5) rank += 64.0;
     seen = ceil(seen);
   } else {

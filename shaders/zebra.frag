@@ -3,7 +3,7 @@
 // A room of black and white stripes as a surface mirrors it. The room stands still relative to the camera; its stripes
 // lie level, evenly by their angle from straight above to straight below.
 
-/// @param surface tints the light stripes a little, so that parts stay told apart
+/// @param surface tints the light stripes a little, so that parts stay distinct
 vec3 zebra(vec3 surface, vec3 normal, vec3 to_eye, float dark_stripes) {
   vec3 mirrored = reflect(-to_eye, normal);
   float phase = dark_stripes * acos(clamp(mirrored.y, -1.0, 1.0)) / 3.14159265;

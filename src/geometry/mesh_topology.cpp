@@ -74,7 +74,7 @@ struct EdgeUse {
 };
 
 /// For each corner the lowest corner that starts the same edge, or no_index. Asks for corners of faces and vertices.
-/// Which end of an edge is the low one nothing foretells, so that nothing branches on it.
+/// Which end of an edge is the low one nothing predicts, so that nothing branches on it.
 std::vector<Index> lowest_corner_of_edge(const MeshTopology& topology) {
   std::vector<Index> lowest(topology.corner_count(), no_index);
   std::vector<Index> first(topology.vertex_count(), no_index);  // by high end, for one low end at a time

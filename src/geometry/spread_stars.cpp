@@ -29,7 +29,7 @@ class Star {
   }
 
   /// Whether one triangle begins, and one ends, at each spoke: then they form closed rings. Without branches, which
-  /// nothing foretells: what is compared beside the spokes is nobody's.
+  /// nothing predicts: what is compared beside the spokes is nobody's.
   bool closes() {
     const std::size_t end = (size_ + lanes - 1) / lanes * lanes;
     for (std::size_t i = size_; i < end; ++i) from_[i] = to_[i] = no_index;

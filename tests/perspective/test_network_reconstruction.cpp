@@ -170,7 +170,7 @@ TEST_CASE("A held camera stays while lines move") {
   CHECK(reconstructed(truth.drawing).camera.camera.focal_length != focal_length);
 }
 
-TEST_CASE("In one-point perspective a known depth tells the focal length") {
+TEST_CASE("In one-point perspective a known depth gives the focal length") {
   View view = frontal_view();
   view.field_of_view = 0.55;
   for (const PerspectiveSolid& solid : {box(), l_block(), camera_body()}) {

@@ -57,7 +57,7 @@ struct CameraOptions {
   double outlier_distance = 2;  ///< u, and at least so far off
   double mode_rise = 9;         ///< 4..25: chi-squared that dropping a vanishing point may cost
   double noise_floor = 0.15;    ///< u: drawings are never judged as more exact than this
-  bool turn_round = false;      ///< x and y point the other way; a drawing can't tell
+  bool turn_round = false;      ///< x and y point the other way; a drawing can't show it
 };
 
 constexpr auto members(const CameraOptions& options) {

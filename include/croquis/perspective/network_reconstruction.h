@@ -46,14 +46,14 @@ struct ReconstructedNetwork {
 /// Straight strokes that have colours of planes but run along an axis join the lines that the camera is fitted to, and
 /// the camera is fitted again. In one-point perspective two known lengths, one across and one along the view, stand in
 /// for the field of view. Corners behind each other that are seen at one place, and so were taken for one vertex, are
-/// told apart where their strokes contradict each other. What can't be used stays in the picture and is named by a
+/// distinguished where their strokes contradict each other. What can't be used stays in the picture and is named by a
 /// warning.
 /// @throws Error VP_INSUFFICIENT, ALL_PARALLEL, EYE_NONE; Cancelled
 /// A drawing of 50 strokes takes about 15 ms, with a held camera 1 ms.
 ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, const NetworkReconstructionOptions& options,
                                          Progress& progress);
 
-/// Findings about curves of the network, told again of the strokes that these are parts of, with their places.
-Findings told_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves);
+/// Findings about curves of the network, as findings about the strokes that these are parts of, with their places.
+Findings findings_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves);
 
 }  // namespace croquis

@@ -35,7 +35,7 @@ struct CoordinateOptions {
   double lone_contradiction = 7;     ///< a single vertex so many sigma off is also wrong, if a stroke explains it
   int most_contradictions = 10;      ///< strokes that are left out
   double grazing = 2 * std::numbers::pi / 180;  ///< radians: planes seen at a smaller angle give no depth
-  double grazing_deviation = 0.05;              ///< × diagonal of the bounding box: from then on it is told
+  double grazing_deviation = 0.05;              ///< × diagonal of the bounding box: from then on it is reported
 };
 
 constexpr auto members(const CoordinateOptions& options) {

@@ -50,8 +50,8 @@ class LoopCheck {
       : network_(network), curves_(curves), tolerance_(tolerance), findings_(findings) {}
 
   bool closes(const AttributeFace& face) {
-    if (face.loop.size() < 2) return tell_too_few(face);
-    if (face.loop.size() > most_sides) return tell_too_many(face);
+    if (face.loop.size() < 2) return report_too_few(face);
+    if (face.loop.size() > most_sides) return report_too_many(face);
     if (face.loop.size() > most_tame_sides) warn_of_many(face);
     const bool made = std::ranges::all_of(
         face.loop, [&](const AttributeSide& side) { return curves_.curves[side.curve].curve != nullptr; });
@@ -67,7 +67,7 @@ class LoopCheck {
       if (corner_after(curves_, side) == corner_before(curves_, next)) continue;
       const double gap = (side_end(curves_, side, true) - side_end(curves_, next, false)).norm();
       if (gap <= tolerance_) continue;
-      tell_gap(face, i, gap);
+      report_gap(face, i, gap);
       closed = false;
     }
     return closed;
@@ -83,7 +83,7 @@ class LoopCheck {
     return std::nullopt;
   }
 
-  void tell_gap(const AttributeFace& face, std::size_t i, double gap) {
+  void report_gap(const AttributeFace& face, std::size_t i, double gap) {
     const AttributeSide& side = face.loop[i];
     const AttributeSide& next = face.loop[(i + 1) % face.loop.size()];
     const std::string& first = network_.curves[side.curve].id;
@@ -106,7 +106,7 @@ class LoopCheck {
     return corners[0] == corners[1];
   }
 
-  bool tell_too_few(const AttributeFace& face) {
+  bool report_too_few(const AttributeFace& face) {
     const std::string advice = is_one_closed_curve(face) ? "split it, best in 4" : "add the curves that close its loop";
     findings_.push_back(make_error(Category::Geometry, "E_TOO_FEW",
                                    "Face " + quoted(face.id) + " has " +
@@ -116,7 +116,7 @@ class LoopCheck {
     return false;
   }
 
-  bool tell_too_many(const AttributeFace& face) {
+  bool report_too_many(const AttributeFace& face) {
     findings_.push_back(make_error(Category::Geometry, "E_TOO_MANY",
                                    "Face " + quoted(face.id) + " has " + std::to_string(face.loop.size()) +
                                        " curves, and a surface can have " + std::to_string(most_sides) +
@@ -179,12 +179,12 @@ class FaceTurns {
     if (!flipped_[other]) {
       flipped_[other] = wanted;
       waiting_.push_back(other);
-    } else if (*flipped_[other] != wanted && told_.insert(side.curve).second) {
-      tell(network_.curves[side.curve].id, network_.faces[face].id, network_.faces[other].id);
+    } else if (*flipped_[other] != wanted && reported_.insert(side.curve).second) {
+      report(network_.curves[side.curve].id, network_.faces[face].id, network_.faces[other].id);
     }
   }
 
-  void tell(const std::string& curve, const std::string& face, const std::string& other) {
+  void report(const std::string& curve, const std::string& face, const std::string& other) {
     findings_.push_back(make_warning(Category::Geometry, "W_ORIENT",
                                      "The faces " + quoted(face) + " and " + quoted(other) +
                                          " can't both be turned to one side of the surface along curve " +
@@ -198,7 +198,7 @@ class FaceTurns {
   Findings& findings_;
   std::vector<std::optional<bool>> flipped_;
   std::deque<Index> waiting_;
-  std::set<Index> told_;
+  std::set<Index> reported_;
 };
 
 /// By face: whether its loop closes. Errors name what fails: E_TOO_FEW, E_TOO_MANY, E_OPEN_LOOP; W_TOO_MANY. A face
@@ -228,7 +228,7 @@ std::vector<bool> flipped_faces(const AttributeNetwork& network, const std::vect
   return FaceTurns(network, faces_of_curve, findings).run();
 }
 
-/// Faces with more of their places turned over than this are told.
+/// Faces with more of their places turned over than this are reported.
 constexpr double folded_share = 0.05;
 
 AttributeNetwork with_overrides(const AttributeNetwork& network, const AttributeSurfaceOptions& options) {
@@ -364,10 +364,10 @@ class Evaluation {
     face.folded = *cached<double>(
         cache_, "attribute surface folds", key, [&] { return folded_part(*face.surface); },
         [](double) { return sizeof(double); });
-    tell_face(network_.faces[index], face);
+    report_face(network_.faces[index], face);
   }
 
-  void tell_face(const AttributeFace& face, const SurfaceFace& made) {
+  void report_face(const AttributeFace& face, const SurfaceFace& made) {
     const double beta = made.surface->domain().beta;
     if (beta > 0 && face.domain == AttributeDomain::Chordlength) {
       result_.findings.push_back(make_warning(

@@ -176,7 +176,7 @@ std::optional<DrawingVertices> with_split_vertices(const PerspectiveDrawing& dra
 
 /// The focal length of one-point perspective from two known lengths or more, one of them going into depth: depths are
 /// in proportion to the focal length that was assumed, so squared lengths are linear in its square. None where the
-/// lengths don't tell.
+/// lengths don't give it.
 /// @param coordinates found with the camera's assumed focal length
 /// @return px
 std::optional<double> focal_from_lengths(const PerspectiveDrawing& drawing, const DrawingVertices& vertices,
@@ -245,7 +245,7 @@ std::vector<StrokeGroup> usable_groups(const PerspectiveDrawing& drawing, const 
   return groups;
 }
 
-/// The drawing with the field of view that known lengths tell, if the lines tell none.
+/// The drawing with the field of view that known lengths give, if the lines give none.
 std::optional<PerspectiveDrawing> with_field_of_view(const PerspectiveDrawing& drawing,
                                                      const ReconstructedNetwork& network) {
   if (!network.camera.focal_assumed) return std::nullopt;
@@ -348,7 +348,7 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   result.camera = std::move(calibration.camera);
   Progress coordinate_part = progress.step("find the vertices", 0.3);
   solve_with_splits(drawing, calibration, options.coordinates, coordinate_part, result);
-  // A length into depth and one across tell the focal length of a drawing with one vanishing point.
+  // A length into depth and one across give the focal length of a drawing with one vanishing point.
   if (const std::optional<PerspectiveDrawing> known = with_field_of_view(drawing, result)) {
     return reconstruct_network(*known, options, progress);
   }
@@ -368,17 +368,17 @@ ReconstructedNetwork reconstruct_network(const PerspectiveDrawing& drawing, cons
   return result;
 }
 
-Findings told_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves) {
+Findings findings_of_strokes(Findings findings, const PerspectiveDrawing& drawing, const LiftedCurves& curves) {
   std::map<std::string, Index> strokes;
   for (std::size_t c = 0; c < curves.stroke.size(); ++c) strokes.emplace(curves.network.curves[c].id, curves.stroke[c]);
   for (Finding& finding : findings) {
     std::vector<Subject> subjects;
-    std::set<Index> told;
+    std::set<Index> reported;
     for (Subject& subject : finding.subjects) {
       const auto stroke = subject.kind == SubjectKind::Stroke ? strokes.find(subject.id) : strokes.end();
       if (stroke == strokes.end()) {
         subjects.push_back(std::move(subject));
-      } else if (told.insert(stroke->second).second) {
+      } else if (reported.insert(stroke->second).second) {
         subjects.push_back(stroke_subject(drawing, stroke->second));
       }
     }

@@ -62,7 +62,7 @@ OperationResult compute_perspective(const Values& inputs, PerspectiveSettings se
   OperationResult result;
   append_findings(result.warnings, network.warnings);
   for (const Findings& found : {faces.warnings, solid.warnings})
-    append_findings(result.warnings, told_of_strokes(found, drawing, network.curves));
+    append_findings(result.warnings, findings_of_strokes(found, drawing, network.curves));
   add_ignored(given, drawing, result.warnings);
   PerspectiveResult details = result_of_perspective(drawing, network, faces, solid, result.warnings);
   list_all_strokes(given, details);

@@ -83,7 +83,7 @@ namespace {
 constexpr double on_a_point = 1e-14;
 /// Points act as far as this many of their reaches.
 constexpr double farthest_reach = 3;
-/// Square of the least distance from an inner curve's footprint that is told from none.
+/// Square of the least distance from an inner curve's footprint that counts as one.
 constexpr double least_square = 1e-26;
 
 /// The radius as a distance in the domain: half of the distance to the sides where none is given.

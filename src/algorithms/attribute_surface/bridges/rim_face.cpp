@@ -254,7 +254,7 @@ std::vector<double> ascending_fractions(const FittedBezier& fitted, const ArcLen
   return chords;
 }
 
-/// Every point but corners and its neighbours, 1 : 2 : 1, on the surface that the normals tell: the mean of the points
+/// Every point but corners and its neighbours, 1 : 2 : 1, on the surface that the normals give: the mean of the points
 /// is as far from a round surface on one side as the mean of their tangent planes on the other.
 RimLoop blurred(const RimLoop& loop, const std::vector<bool>& is_corner) {
   RimLoop result = loop;

@@ -11,7 +11,7 @@ namespace croquis {
 namespace {
 
 constexpr double other_side = 0.5;   // cosine: faces beyond a crease say nothing of the surface here
-constexpr double even_slope = 1e-3;  // × sum of squares: holds slopes that too few faces tell
+constexpr double even_slope = 1e-3;  // × sum of squares: holds slopes that too few faces give
 
 struct FaceSample {
   Vec3 area = Vec3::Zero();  ///< twice the area along the normal

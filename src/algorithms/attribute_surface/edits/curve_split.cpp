@@ -98,7 +98,7 @@ void split_slopes(AttributeNetwork& network, const CurveParts& parts) {
   }
 }
 
-constexpr double same_slope_place = 1e-6;  // fractions of a curve: two handles there couldn't be told apart
+constexpr double same_slope_place = 1e-6;  // fractions of a curve: two handles there couldn't be distinguished
 
 Index face_of(const AttributeNetwork& network, const SlopeSide& side) {
   return side.face.empty() ? no_index : require_element(network, NetworkElement::Face, side.face);

@@ -73,7 +73,7 @@ std::optional<std::pair<std::vector<AttributeSide>, std::vector<AttributeSide>>>
   return std::pair{std::vector(loop.begin(), middle), std::vector(middle, loop.end())};
 }
 
-/// Which of two faces a place of the undivided one's domain is in: the first one's outline in that domain tells it.
+/// Which of two faces a place of the undivided one's domain is in: the first one's outline in that domain decides.
 class HalfTest {
  public:
   HalfTest(FaceMap map, const std::vector<Vec3>& first_loop) : map_(std::move(map)) {

@@ -17,7 +17,7 @@
 namespace croquis {
 namespace {
 
-constexpr double hardly_longer = 1.25;  // × the shortest loop: which of those is meant is told by what is in front
+constexpr double hardly_longer = 1.25;  // × the shortest loop: which of those is meant is decided by what is in front
 
 /// A curve between two places of the graph.
 struct LoopEdge {
@@ -213,7 +213,7 @@ std::optional<LoopAround> find_loop_around(const AttributeNetwork& network, cons
   if (candidates.empty()) return std::nullopt;
   const LoopCandidate& best = chosen(candidates);
   LoopAround around{sort_loop(network, best.curves, options.tolerance), best.face};
-  const bool free_to_turn = wish_of_neighbours(network, around.loop.sides) == 0;
+  const bool free_to_turn = turn_of_neighbours(network, around.loop.sides) == 0;
   if (free_to_turn && is_clockwise_in_view(seen_loop(around.loop.sides, views))) turn_loop_round(around.loop);
   return around;
 }

@@ -187,20 +187,20 @@ void turn_loop_round(SortedLoop& loop) {
   }
 }
 
-int wish_of_neighbours(const AttributeNetwork& network, const std::vector<AttributeSide>& sides) {
-  int wish = 0;
+int turn_of_neighbours(const AttributeNetwork& network, const std::vector<AttributeSide>& sides) {
+  int turn = 0;
   for (const AttributeFace& face : network.faces) {
     for (const AttributeSide& other : face.loop) {
       const auto own = std::ranges::find(sides, other.curve, &AttributeSide::curve);
-      if (own != sides.end()) wish += own->reversed != other.reversed ? 1 : -1;
+      if (own != sides.end()) turn += own->reversed != other.reversed ? 1 : -1;
     }
   }
-  return wish;
+  return turn;
 }
 
 SortedLoop sort_loop(const AttributeNetwork& network, const std::vector<Index>& curves, double tolerance) {
   SortedLoop loop = LoopOrder(network, curves, tolerance).run();
-  if (wish_of_neighbours(network, loop.sides) < 0) turn_loop_round(loop);
+  if (turn_of_neighbours(network, loop.sides) < 0) turn_loop_round(loop);
   return loop;
 }
 

@@ -23,7 +23,7 @@ std::vector<Vec3> traced_loop(const AttributeNetwork& network, const std::vector
 Vec3 newell_normal(const std::vector<Vec3>& places);
 
 /// About where places near a face lie in its domain: those of the loop are known, those inside follow by mean values in
-/// the plane across the loop's normal. Good enough to tell the sides of a curve that divides the face.
+/// the plane across the loop's normal. Good enough to separate the sides of a curve that divides the face.
 class FaceMap {
  public:
   FaceMap(const AttributeNetwork& network, const AttributeFace& face);

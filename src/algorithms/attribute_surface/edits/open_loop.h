@@ -29,6 +29,6 @@ std::optional<Index> face_with_loop(const AttributeNetwork& network, const std::
 void turn_loop_round(SortedLoop& loop);
 
 /// How many sides of faces run against those of a loop, as neighbours should, less those that run along with them.
-int wish_of_neighbours(const AttributeNetwork& network, const std::vector<AttributeSide>& sides);
+int turn_of_neighbours(const AttributeNetwork& network, const std::vector<AttributeSide>& sides);
 
 }  // namespace croquis

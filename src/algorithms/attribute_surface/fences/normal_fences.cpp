@@ -264,7 +264,7 @@ class FenceMaker {
     std::vector<bool> result;
     for (Index i = 0; i < network().curves.size(); ++i) {
       const std::vector<Index>& faces = input_.faces_of_curve[i];
-      if (faces.size() > 2) tell_nonmanifold(i);
+      if (faces.size() > 2) report_nonmanifold(i);
       const bool all = std::ranges::all_of(faces, [&](Index face) { return input_.wants_fences[face]; });
       result.push_back(network().curves[i].join == CurveJoin::Smooth && faces.size() == 2 && faces[0] != faces[1] &&
                        all);
@@ -272,7 +272,7 @@ class FenceMaker {
     return result;
   }
 
-  void tell_nonmanifold(Index curve) {
+  void report_nonmanifold(Index curve) {
     std::vector<Subject> subjects{subject_of(SubjectKind::Curve, network().curves[curve].id)};
     for (const Index face : input_.faces_of_curve[curve]) {
       subjects.push_back(subject_of(SubjectKind::Face, network().faces[face].id));
@@ -342,7 +342,7 @@ class FenceMaker {
       const FaceCorner corner = end_corner(face, side, end);
       known[end ? 1 : 0] = !corners_.group(corner).knife_edge;
       if (known[end ? 1 : 0]) result[end ? 1 : 0] = projected_off(corners_.normal(corner), along.tangent(end ? 1 : 0));
-      if (!known[end ? 1 : 0]) tell_conflict(corner, curve);
+      if (!known[end ? 1 : 0]) report_conflict(corner, curve);
     }
     if (known[0] && !known[1]) result[1] = carried(along, result[0], 0, 1);
     if (known[1] && !known[0]) result[0] = carried(along, result[1], 1, 0);
@@ -361,10 +361,10 @@ class FenceMaker {
     return {carried(along, middle, 0.5, 0), carried(along, middle, 0.5, 1)};
   }
 
-  void tell_conflict(const FaceCorner& corner, Index curve) {
+  void report_conflict(const FaceCorner& corner, Index curve) {
     const CornerGroup& group = corners_.group(corner);
     const std::string& place = place_name(group.corners.front());
-    if (!told_.insert({group.corners.front().face, group.corners.front().side}).second) return;
+    if (!reported_.insert({group.corners.front().face, group.corners.front().side}).second) return;
     std::vector<Subject> subjects;
     std::string names;
     for (const FaceCorner& member : group.corners) {
@@ -413,7 +413,7 @@ class FenceMaker {
     const DirectedCurve& along = shapes_[of.face].loop[of.side];
     const double at = along.reversed ? 1 - key.slope.at[key.index] : key.slope.at[key.index];
     const Vec3 tangent = along.tangent(at);
-    if (!tells_slope(key.slope.normals[key.index], tangent)) return;
+    if (!gives_slope(key.slope.normals[key.index], tangent)) return;
     Vec3 normal = projected_off(key.slope.normals[key.index], tangent);
     // Meant for all faces along the curve, it points to the side where each of them has its normal.
     const Vec3 own = (1 - at) * found.normals[0] + at * found.normals[1];
@@ -428,7 +428,7 @@ class FenceMaker {
     fence.normals.insert(fence.normals.begin() + place, normal);
   }
 
-  static bool tells_slope(const Vec3& normal, const Vec3& tangent) {
+  static bool gives_slope(const Vec3& normal, const Vec3& tangent) {
     const double angle = angle_between(normal, tangent);
     return std::min(angle, std::numbers::pi - angle) >= least_slope_angle;
   }
@@ -437,11 +437,11 @@ class FenceMaker {
     for (const SlopeAttribute& slope : network().slopes) {
       const auto& curve = input_.curves.curves[slope.curve].curve;
       for (std::size_t i = 0; curve && i < slope.at.size(); ++i) {
-        if (tells_slope(slope.normals[i], curve->place(slope.at[i]).derivative)) continue;
+        if (gives_slope(slope.normals[i], curve->place(slope.at[i]).derivative)) continue;
         const std::string& id = network().curves[slope.curve].id;
         findings_.push_back(make_error(Category::Geometry, "E_SLOPE",
                                        "The normal at " + rounded_text(slope.at[i]) + " of curve " + quoted(id) +
-                                           " points along the curve, so it tells no slope and is left out: turn it " +
+                                           " points along the curve, so it gives no slope and is left out: turn it " +
                                            "away from the curve.",
                                        {subject_of(SubjectKind::Curve, id)}));
       }
@@ -453,7 +453,7 @@ class FenceMaker {
   std::vector<bool> smooth_;
   std::vector<FaceShape> shapes_;
   SmoothCorners corners_;
-  std::set<std::pair<Index, std::size_t>> told_;
+  std::set<std::pair<Index, std::size_t>> reported_;
 };
 
 }  // namespace

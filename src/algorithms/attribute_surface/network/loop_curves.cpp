@@ -105,15 +105,15 @@ class MetCurve {
     std::vector<Vec3> control = control_polygon(network_, curve);
     const double start_gap = (control.front() - start).norm();
     const double end_gap = (control.back() - end).norm();
-    if (start_gap > tolerance_) tell_gap(curve, "start", start_gap);
-    if (end_gap > tolerance_) tell_gap(curve, "end", end_gap);
+    if (start_gap > tolerance_) report_gap(curve, "start", start_gap);
+    if (end_gap > tolerance_) report_gap(curve, "end", end_gap);
     if (start_gap > tolerance_ || end_gap > tolerance_) return nullptr;
-    if (start_gap > 0) tell_snap(curve, "start", start_gap);
-    if (end_gap > 0) tell_snap(curve, "end", end_gap);
+    if (start_gap > 0) report_snap(curve, "start", start_gap);
+    if (end_gap > 0) report_snap(curve, "end", end_gap);
     control = with_ends_moved(std::move(control), start, end);
     const double length = bezier_length(control);
     if (length <= tolerance_) {
-      tell_length(curve, length);
+      report_length(curve, length);
       return nullptr;
     }
     StageKey key;
@@ -124,7 +124,7 @@ class MetCurve {
   }
 
  private:
-  void tell_gap(const AttributeCurve& curve, const char* which, double gap) {
+  void report_gap(const AttributeCurve& curve, const char* which, double gap) {
     findings_.push_back(make_error(Category::Geometry, "E_GAP",
                                    "The " + std::string(which) + " of curve " + quoted(curve.id) + " is " +
                                        length_text(network_, gap) + " away from its node, more than the tolerance of " +
@@ -132,14 +132,14 @@ class MetCurve {
                                    {subject_of(SubjectKind::Curve, curve.id)}));
   }
 
-  void tell_snap(const AttributeCurve& curve, const char* which, double gap) {
+  void report_snap(const AttributeCurve& curve, const char* which, double gap) {
     findings_.push_back(make_warning(Category::Geometry, "W_SNAP",
                                      "The " + std::string(which) + " of curve " + quoted(curve.id) + " was moved by " +
                                          length_text(network_, gap) + " to where it meets the others.",
                                      {subject_of(SubjectKind::Curve, curve.id)}));
   }
 
-  void tell_length(const AttributeCurve& curve, double length) {
+  void report_length(const AttributeCurve& curve, double length) {
     findings_.push_back(make_error(Category::Geometry, "E_ZERO_LENGTH",
                                    "Curve " + quoted(curve.id) + " is only " + length_text(network_, length) +
                                        " long, not more than the tolerance: delete it, or move its ends apart.",

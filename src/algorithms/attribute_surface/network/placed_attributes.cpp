@@ -49,7 +49,7 @@ std::size_t byte_size(const CurveFootprint& footprint) {
 }  // namespace
 
 PlacedAttributes AttributePlacing::place(Index face, const FaceSurface& base, const std::string& content,
-                                         std::vector<SurfacePoint>& told) {
+                                         std::vector<SurfacePoint>& places) {
   PlacedAttributes result;
   std::vector<Index> placed;
   for (Index i = 0; i < network_.points.size(); ++i) {
@@ -57,8 +57,8 @@ PlacedAttributes AttributePlacing::place(Index face, const FaceSurface& base, co
     if (point.face != face) continue;
     const Footprint footprint = footprint_of(point, base, content);
     if (conflicts(result.points, placed, i, footprint.place)) continue;
-    if (footprint.moved_inside) tell_moved(point, network_.faces[face]);
-    told[i] = {fan_place_in(base.domain(), footprint.place), footprint.moved_inside};
+    if (footprint.moved_inside) report_moved(point, network_.faces[face]);
+    places[i] = {fan_place_in(base.domain(), footprint.place), footprint.moved_inside};
     std::optional<Vec3> normal;
     if (point.normal) normal = point.normal->normalized();
     result.points.push_back({point.point, footprint.place, point.radius, point.profile, normal});
@@ -121,7 +121,7 @@ bool AttributePlacing::conflicts(const std::vector<PlacedPoint>& before, const s
   return false;
 }
 
-void AttributePlacing::tell_moved(const PointAttribute& point, const AttributeFace& face) {
+void AttributePlacing::report_moved(const PointAttribute& point, const AttributeFace& face) {
   findings_.push_back(make_warning(Category::Geometry, "W_MOVED_INSIDE",
                                    "The place of face " + quoted(face.id) + " nearest to point " + quoted(point.id) +
                                        " is on its boundary, where curves alone decide: the point acts just inside; " +

@@ -24,9 +24,9 @@ class AttributePlacing {
 
   /// @param base    the surface of the face's sides
   /// @param content what that depends on
-  /// @param told    is given the places of the network's points
+  /// @param places  is given the places of the network's points
   PlacedAttributes place(Index face, const FaceSurface& base, const std::string& content,
-                         std::vector<SurfacePoint>& told);
+                         std::vector<SurfacePoint>& places);
 
  private:
   struct Footprint {
@@ -39,7 +39,7 @@ class AttributePlacing {
   bool conflicts(const std::vector<PlacedPoint>& before, const std::vector<Index>& ids, Index point, const Vec2& place);
   std::optional<PlacedCurve> place_inner(const AttributeFace& face, const InnerCurve& inner, const FaceSurface& base,
                                          const std::string& content);
-  void tell_moved(const PointAttribute& point, const AttributeFace& face);
+  void report_moved(const PointAttribute& point, const AttributeFace& face);
 
   const AttributeNetwork& network_;
   const LoopCurves& curves_;

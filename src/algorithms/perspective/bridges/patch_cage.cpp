@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/perspective/solid/plane_axes.h"
+#include "algorithms/perspective/solid/plane_outlines.h"
 #include "croquis/geometry/cage_builder.h"
 #include "croquis/geometry/planar_triangulation.h"
 #include "croquis/geometry/rational_cubic.h"
@@ -241,63 +241,33 @@ class PatchCageMaker {
   }
 
   std::vector<Index> vertices_along(Index half_edge) const {
-    std::vector<Index> vertices = along_[brep_.half_edges[half_edge].edge];
-    if (brep_.half_edges[half_edge].reversed) std::ranges::reverse(vertices);
-    return vertices;
+    return croquis::vertices_along(brep_, half_edge, along_[brep_.half_edges[half_edge].edge]);
   }
 
   // ---- Plane faces
 
-  std::vector<std::vector<Index>> outlines_of(const BrepFace& face) const {
-    std::vector<std::vector<Index>> outlines;
-    for (const Index loop : face.loops) {
-      std::vector<Index>& outline = outlines.emplace_back();
-      for (const Index half_edge : brep_.around(loop)) {
-        const std::vector<Index> along = vertices_along(half_edge);
-        outline.insert(outline.end(), along.begin(), along.end() - 1);
-      }
-    }
-    return outlines;
-  }
-
   void add_plane_face(Index f) {
     const BrepFace& face = brep_.faces[f];
-    const std::vector<std::vector<Index>> outlines = outlines_of(face);
-    const auto [u, v] = plane_axes(face.normal);
-    std::vector<Vec2> places;
-    std::vector<Index> vertices;
-    std::map<Index, Index> numbers;
-    std::vector<std::array<Index, 2>> sides;
-    const auto number_of = [&](Index vertex) {
-      const auto [known, is_new] = numbers.try_emplace(vertex, static_cast<Index>(vertices.size()));
-      if (is_new) {
-        vertices.push_back(vertex);
-        places.emplace_back(u.dot(builder_.mesh.positions[vertex]), v.dot(builder_.mesh.positions[vertex]));
-      }
-      return known->second;
-    };
-    for (const std::vector<Index>& outline : outlines) {
-      for (std::size_t i = 0; i < outline.size(); ++i)
-        sides.push_back({number_of(outline[i]), number_of(outline[(i + 1) % outline.size()])});
-    }
+    const PlaneOutlines outlines = plane_outlines(brep_, face, builder_.mesh.positions,
+                                                  [&](Index half_edge) { return vertices_along(half_edge); });
     std::vector<Index> first;
-    for (const Index vertex : outlines[0]) first.push_back(numbers.at(vertex));
+    for (const auto& [from, to] : outlines.sides) first.push_back(from);
     std::vector<std::vector<Index>> pieces;
-    if (outlines.size() == 1 && make_fan(places, first)) {
+    if (outlines.loops.size() == 1 && make_fan(outlines.places, first)) {
       pieces = {std::move(first)};
     } else {
-      const PlanarTriangulationResult plane = triangulate(places, sides);
-      if (!plane.conflict.empty()) return add_crossing(f, outlines);
-      pieces = convex_pieces(places, triangles_inside(plane.triangulation));
+      const PlanarTriangulationResult plane = triangulate(outlines.places, outlines.sides);
+      if (!plane.conflict.empty()) return add_crossing(f, outlines.loops);
+      pieces = convex_pieces(outlines.places, triangles_inside(plane.triangulation));
     }
     for (std::vector<Index>& piece : pieces) {
-      for (Index& vertex : piece) vertex = vertices[vertex];
+      for (Index& vertex : piece) vertex = outlines.vertices[vertex];
       builder_.mesh.add_face(piece);
-      note_cuts(outlines, piece);
+      note_cuts(outlines.loops, piece);
     }
   }
 
-  /// The sides of a piece that aren't on the face's outlines; of the two pieces at a cut one tells it.
+  /// The sides of a piece that aren't on the face's outlines; of the two pieces at a cut one notes it.
   void note_cuts(const std::vector<std::vector<Index>>& outlines, const std::vector<Index>& piece) {
     std::set<std::array<Index, 2>> rim;
     for (const std::vector<Index>& outline : outlines) {

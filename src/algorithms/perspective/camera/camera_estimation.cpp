@@ -53,7 +53,7 @@ constexpr double least_prior_noise = 1e-4;
 /// Fewer lines to spare say too little about the noise.
 constexpr int least_freedom = 3;
 
-/// A focal length less certain than this is told, relative.
+/// A focal length less certain than this is reported, relative.
 constexpr double weak_focal = 0.15;
 
 std::vector<Index> strokes_of(std::span<const AxisLine> lines, int axis) {
@@ -91,7 +91,7 @@ class Estimation {
     progress.report(0.1);
     check_parallel();
     CameraPrior prior = camera_prior(drawing_, frame_, options_, axes_);
-    // A triangle without an eye is told before lines are left out: leaving out good ones could hide it.
+    // A triangle without an eye is reported before lines are left out: leaving out good ones could hide it.
     if (is_consistent()) check_eye(prior, progress);
     progress.report(0.4);
     const bool too_many = leave_out_joint_outliers(lines_, axes_, prior, options_, progress);
@@ -118,7 +118,7 @@ class Estimation {
                                ": draw at least two construction lines for two of the axes."));
   }
 
-  /// No vanishing point can be told from one at infinity: a parallel projection.
+  /// No vanishing point differs from one at infinity: a parallel projection.
   void check_parallel() const {
     const double sigma = judging_sigma(axes_, options_);
     for (int axis = 0; axis < 3; ++axis) {
@@ -254,7 +254,7 @@ class Estimation {
     if (estimate.focal_assumed) {
       estimate.warnings.push_back(make_warning(
           Category::Geometry, "FOCAL_ASSUMED",
-          "A drawing with one vanishing point doesn't tell how deep things are; a field of view of 50 degrees is "
+          "A drawing with one vanishing point doesn't show how deep things are; a field of view of 50 degrees is "
           "assumed: state the field of view, or two known lengths."));
     } else if (estimate.focal_deviation > weak_focal * estimate.camera.focal_length) {
       warn_weak(estimate);

@@ -252,7 +252,7 @@ std::vector<CameraParameters> camera_starts(const AxisFits& axes, const FlatAxes
 /// Stated values of the camera are taken to be so exact: the focal length relatively, places in diagonals.
 constexpr double stated_spread = 1e-3;
 
-/// Taken in one-point perspective, where nothing tells it.
+/// Taken in one-point perspective, where nothing gives it.
 constexpr double usual_field_of_view = 50 * std::numbers::pi / 180;
 
 /// Where the likely place of the principal point gives the focal length, a guess of it counts by so much less.

@@ -27,7 +27,7 @@ struct NormalEquations {
   }
 };
 
-/// Costs are flat at their bottom, where their digits no longer tell what is better; plain steps still lead on.
+/// Costs are flat at their bottom, where their digits no longer show what is better; plain steps still lead on.
 template <typename State, typename Cost, typename Evaluate, typename Moved>
 double polished(State& state, double best, Eigen::Index unknowns, const Cost& cost, const Evaluate& evaluate,
                 const Moved& moved) {

@@ -19,7 +19,7 @@ namespace {
 /// Legs count as lying in a common plane up to this (sine of the angle): a tenth of a millionth of a degree.
 constexpr double same_plane = 1e-9;
 
-/// A leg at a smaller angle to the edge (sine) doesn't tell where the face goes.
+/// A leg at a smaller angle to the edge (sine) doesn't show where the face goes.
 constexpr double least_leg = 0.02;
 
 /// Of legs that can't turn, in the fit of a vertex' plane.

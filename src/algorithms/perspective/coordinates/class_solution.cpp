@@ -224,7 +224,7 @@ class ComponentSolver {
   void minimise_distances(Eigen::VectorXd& values, int rounds) const {
     normalise(values);
     double least = squares(values);
-    if (!std::isfinite(least)) return;  // something lies behind the eye; it is told by who asks for the depths
+    if (!std::isfinite(least)) return;  // something lies behind the eye; who asks for the depths reports it
     Solver solver;
     for (int round = 0; round < rounds; ++round) {
       Eigen::VectorXd gradient;

@@ -143,7 +143,7 @@ std::vector<PromotedStroke> promoted_strokes(const PerspectiveDrawing& drawing, 
     const int one = (axis_of(groups[s]) + 1) % 3;
     const int other = (axis_of(groups[s]) + 2) % 3;
     const auto [nearer, farther] = misses[one] <= misses[other] ? std::pair(one, other) : std::pair(other, one);
-    // A short stroke misses neither by much: the other axis has to be told from it beyond the noise, too.
+    // A short stroke misses neither by much: the other axis has to differ from it by more than the noise, too.
     if (misses[nearer] >= limit || misses[farther] <= std::max(options.promote_ratio * misses[nearer], limit)) continue;
     promoted.push_back({static_cast<Index>(s), static_cast<StrokeGroup>(nearer)});
   }

@@ -178,7 +178,7 @@ class VertexFinder {
     }
   }
 
-  /// By geometry; ids only tell apart what looks the same.
+  /// By geometry; ids only distinguish what looks the same.
   void collect_ends() {
     std::vector<Index> strokes;
     for (Index i = 0; i < drawing_.strokes.size(); ++i) {

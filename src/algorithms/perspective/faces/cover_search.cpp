@@ -157,6 +157,12 @@ constexpr std::size_t dive_share = 10;
 /// Nodes between two looks at the cancel flag.
 constexpr std::size_t nodes_per_check = 256;
 
+bool is_better(const Cover& a, const Cover& b) {
+  if (std::abs(a.cost - b.cost) > cost_rounding) return a.cost < b.cost;
+  if (std::abs(a.deviation - b.deviation) > cost_rounding) return a.deviation < b.deviation;
+  return a.chosen < b.chosen;
+}
+
 enum class ColumnState : std::uint8_t { Free, Chosen, Out };
 
 /// The depth-first search. Columns are the members of the problem, then in partial covers two open sides per edge.
@@ -177,7 +183,10 @@ class CoverSearch {
         columns_.push_back({second_open_side_cost, {r}});
       }
     }
-    find_conflicts();
+    for (Index c = 0; c < problem.members.size(); ++c) {
+      if (face(c).plane == no_index) continue;
+      for (const Index region : face(c).regions) in_region_[{face(c).plane, region}].push_back(c);
+    }
   }
 
   CoverResult run() {
@@ -200,13 +209,6 @@ class CoverSearch {
     return is_open_side(column) && (column - problem_.members.size()) % 2 == 1;
   }
   const FaceCandidate& face(Index column) const { return problem_.candidates[problem_.members[column]]; }
-
-  void find_conflicts() {
-    for (Index c = 0; c < problem_.members.size(); ++c) {
-      if (face(c).plane == no_index) continue;
-      for (const Index region : face(c).regions) in_region_[{face(c).plane, region}].push_back(c);
-    }
-  }
 
   /// Nothing chosen but the fixed faces; false if these don't fit.
   bool reset(const std::vector<double>& price) {
@@ -367,15 +369,13 @@ class CoverSearch {
       undo_to(inner);
       remove(column);
       if (!propagate()) break;
-      if (state_of_row_decided(row)) {  // the conclusions chose for this row: go on with the others
+      if (demand_[row] == 0 || free_[row] == 0) {  // the conclusions chose for this row: go on with the others
         branch();
         break;
       }
     }
     undo_to(outer);
   }
-
-  bool state_of_row_decided(Index row) const { return demand_[row] == 0 || free_[row] == 0; }
 
   void record() {
     Cover cover;
@@ -392,12 +392,6 @@ class CoverSearch {
     std::ranges::sort(covers, is_better);
     while (covers.size() > problem_.max_covers) covers.pop_back();
     while (covers.back().cost > limit()) covers.pop_back();
-  }
-
-  static bool is_better(const Cover& a, const Cover& b) {
-    if (std::abs(a.cost - b.cost) > cost_rounding) return a.cost < b.cost;
-    if (std::abs(a.deviation - b.deviation) > cost_rounding) return a.deviation < b.deviation;
-    return a.chosen < b.chosen;
   }
 
   const CoverProblem& problem_;

@@ -87,8 +87,8 @@ constexpr double degree = std::numbers::pi / 180;
 /// A diagonal leaves such angles on both sides at its corners: patches turn their back at wider ones.
 constexpr double least_angle = 10 * degree, greatest_angle = 170 * degree;
 
-/// Below this sine two legs don't tell the plane of a corner, and a plane at this cosine to the face's mean plane
-/// doesn't tell which way round it is.
+/// Below this sine two legs don't give the plane of a corner, and a plane at this cosine to the face's mean plane
+/// doesn't show which way round it is.
 constexpr double least_span = 0.05, least_cosine = 0.1;
 
 /// Corners of more than this are wide, and what a diagonal from there costs, x.

@@ -251,7 +251,7 @@ class BicubicFitter {
   BicubicFit fit_;
 };
 
-/// Lines inside a face are smooth; along the outline its edges tell.
+/// Lines inside a face are smooth; along the outline its edges say it.
 std::array<bool, 4> smooth_sides(const Brep& brep, const BrepFace& face, std::size_t patch) {
   const std::vector<Index> around = brep.around(face.loops[0]);
   const auto smooth = [&](std::size_t i) { return brep.edges[brep.half_edges[around[i]].edge].smooth; };

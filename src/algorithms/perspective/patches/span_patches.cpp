@@ -216,7 +216,7 @@ void unfold(const std::vector<FaceSide>& sides, Star& star) {
   }
 }
 
-/// The patches of a face; `folded` tells whether one of them folds over.
+/// The patches of a face; `folded` says whether one of them folds over.
 std::vector<GregoryPatch> span_face(const Brep& brep, const BrepFace& face, bool& folded) {
   const std::vector<FaceSide> sides = face_sides(brep, face);
   if (sides.size() == 4 && std::ranges::all_of(sides, &FaceSide::whole)) {

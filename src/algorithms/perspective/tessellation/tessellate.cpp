@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "algorithms/perspective/solid/plane_axes.h"
+#include "algorithms/perspective/solid/plane_outlines.h"
 #include "croquis/geometry/brep.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/planar_triangulation.h"
@@ -201,6 +201,33 @@ struct SurfaceCorner {
 /// A side of a patch as corners, from its start to its end, evenly spaced in the parameter.
 using SideCorners = std::vector<SurfaceCorner>;
 
+/// Where a corner of the patch has no normal, the one nearby.
+Vec3 normal_at(const GregoryPatch& patch, double u, double v) {
+  constexpr double inside = 1e-3;
+  const Vec3 normal = patch.at(u, v).normal();
+  if (!normal.isZero(0)) return normal;
+  return patch.at(std::clamp(u, inside, 1 - inside), std::clamp(v, inside, 1 - inside)).normal();
+}
+
+Vec3 middle_normal(const BrepFace& star) {
+  Vec3 sum = Vec3::Zero();
+  for (const GregoryPatch& patch : star.patches) sum += normal_at(patch, 1, 1);
+  return sum.normalized();
+}
+
+Finding outlines_cross(const Brep& brep, const BrepFace& face) {
+  std::vector<Subject> subjects{numbered_subject(SubjectKind::Face, face.outline)};
+  for (const Index loop : face.loops) {
+    for (const Index half : brep.around(loop)) {
+      subjects.push_back({SubjectKind::Stroke, brep.edges[brep.half_edges[half].edge].id, {}, {}, {}});
+    }
+  }
+  return make_warning(
+      Category::Geometry, "PATCH_FOLDED",
+      "The outlines of the plane face " + std::to_string(face.outline) + " cross each other: move its strokes apart.",
+      std::move(subjects));
+}
+
 class Tessellator {
  public:
   Tessellator(const Brep& brep, Progress& progress, const TessellationOptions& options)
@@ -241,72 +268,34 @@ class Tessellator {
 
   /// The vertices along a half-edge.
   std::vector<Index> vertices_along(Index half) const {
-    std::vector<Index> vertices = samples_.edges[brep_.half_edges[half].edge].vertices;
-    if (brep_.half_edges[half].reversed) std::ranges::reverse(vertices);
-    return vertices;
+    return croquis::vertices_along(brep_, half, samples_.edges[brep_.half_edges[half].edge].vertices);
   }
 
   // Planar faces.
 
   void add_planar() {
-    std::vector<Index> vertices;
-    std::vector<std::array<Index, 2>> sides;
-    std::map<Index, Index> number;
-    const auto number_of = [&](Index vertex) {
-      const auto [known, is_new] = number.try_emplace(vertex, static_cast<Index>(vertices.size()));
-      if (is_new) vertices.push_back(vertex);
-      return known->second;
-    };
-    for (const Index loop : face().loops) {
-      for (const Index half : brep_.around(loop)) {
-        const std::vector<Index> along = vertices_along(half);
-        for (std::size_t i = 0; i + 1 < along.size(); ++i)
-          sides.push_back({number_of(along[i]), number_of(along[i + 1])});
-      }
-    }
-    const PlanarTriangulationResult plane = triangulate(flat(vertices), sides);
+    const PlaneOutlines outlines =
+        plane_outlines(brep_, face(), result_.mesh.positions, [&](Index half) { return vertices_along(half); });
+    const PlanarTriangulationResult plane = triangulate(outlines.places, outlines.sides);
     if (!plane.conflict.empty()) {
-      add_fan(vertices, sides);
+      add_fan(outlines);
       return;
     }
     const Vec3& normal = face().normal;
     for (const auto& [a, b, c] : triangles_inside(plane.triangulation)) {
-      add({vertices[a], normal}, {vertices[b], normal}, {vertices[c], normal});
+      add({outlines.vertices[a], normal}, {outlines.vertices[b], normal}, {outlines.vertices[c], normal});
     }
-  }
-
-  /// Places in the face's plane.
-  std::vector<Vec2> flat(const std::vector<Index>& vertices) const {
-    const auto [u, v] = plane_axes(face().normal);
-    std::vector<Vec2> places;
-    for (const Index vertex : vertices) {
-      const Vec3& p = result_.mesh.positions[vertex];
-      places.emplace_back(u.dot(p), v.dot(p));
-    }
-    return places;
   }
 
   /// For outlines that cross: closed all the same.
-  void add_fan(const std::vector<Index>& vertices, const std::vector<std::array<Index, 2>>& sides) {
+  void add_fan(const PlaneOutlines& outlines) {
+    const std::vector<Index>& vertices = outlines.vertices;
     Vec3 middle = Vec3::Zero();
     for (const Index vertex : vertices) middle += result_.mesh.positions[vertex] / static_cast<double>(vertices.size());
     const Vec3& normal = face().normal;
     const SurfaceCorner apex{new_vertex(middle), normal};
-    for (const auto& [a, b] : sides) add({vertices[a], normal}, {vertices[b], normal}, apex);
-    result_.warnings.push_back(outlines_cross());
-  }
-
-  Finding outlines_cross() const {
-    std::vector<Subject> subjects{numbered_subject(SubjectKind::Face, face().outline)};
-    for (const Index loop : face().loops) {
-      for (const Index half : brep_.around(loop)) {
-        subjects.push_back({SubjectKind::Stroke, brep_.edges[brep_.half_edges[half].edge].id, {}, {}, {}});
-      }
-    }
-    return make_warning(Category::Geometry, "PATCH_FOLDED",
-                        "The outlines of the plane face " + std::to_string(face().outline) +
-                            " cross each other: move its strokes apart.",
-                        std::move(subjects));
+    for (const auto& [a, b] : outlines.sides) add({vertices[a], normal}, {vertices[b], normal}, apex);
+    result_.warnings.push_back(outlines_cross(brep_, face()));
   }
 
   // Patches.
@@ -330,14 +319,6 @@ class Tessellator {
     return corners;
   }
 
-  /// Where a corner of the patch has no normal, the one nearby.
-  Vec3 normal_at(const GregoryPatch& patch, double u, double v) const {
-    constexpr double inside = 1e-3;
-    const Vec3 normal = patch.at(u, v).normal();
-    if (!normal.isZero(0)) return normal;
-    return patch.at(std::clamp(u, inside, 1 - inside), std::clamp(v, inside, 1 - inside)).normal();
-  }
-
   std::size_t last_of(Index half) const { return vertices_along(half).size() - 1; }
   std::size_t middle_of(Index half) const {
     const EdgeSamples& edge = samples_.edges[brep_.half_edges[half].edge];
@@ -357,7 +338,7 @@ class Tessellator {
     const std::vector<Index> halves = brep_.around(face().loops[0]);
     const std::vector<std::array<std::size_t, 2>>& spans = samples_.faces[face_].along;
     const std::size_t n = patches.size();
-    const SurfaceCorner middle{new_vertex(patches[0].boundary[6]), middle_normal()};
+    const SurfaceCorner middle{new_vertex(patches[0].boundary[6]), middle_normal(face())};
     std::vector<SideCorners> spokes;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t count = std::max<std::size_t>(2, std::max(spans[i][1], spans[(i + 1) % n][0]));
@@ -371,12 +352,6 @@ class Tessellator {
                  corners_along(halves[before], middle_of(halves[before]), last_of(halves[before]), patches[i], 3)},
                 spans[i]);
     }
-  }
-
-  Vec3 middle_normal() const {
-    Vec3 sum = Vec3::Zero();
-    for (const GregoryPatch& patch : face().patches) sum += normal_at(patch, 1, 1);
-    return sum.normalized();
   }
 
   /// From the middle of a side to the middle of the face.
