@@ -8,8 +8,7 @@
 /// Each prints a table of times as ratios against a peer measured in the same run. Times are medians of several runs.
 namespace croquis::bench {
 
-/// @param sections of it to run, none for all that need no further word; `external FOLDER` measures scans
-/// of one's own, `export FOLDER` writes those that are measured
+/// @param sections of it to run, none for all that need no further word; `external FOLDER` measures scans of one's own
 void bench_holes(std::ostream& out, const std::vector<std::string>& sections);
 
 /// Scans like the world's, every kind of hole in them: filled by the default options and by peers.
@@ -22,16 +21,11 @@ void bench_readers(std::ostream& out);
 void bench_solver(std::ostream& out);
 void bench_remesh(std::ostream& out);
 
-/// The same scans made anew with faces merged where they are flat: how many are left, how far off they are.
-/// @param words see scan_choice
-void bench_remesh_adaptive(std::ostream& out, const std::vector<std::string>& words);
-
 /// The same scans made anew: what lies where no scan is, and what it costs beside screened Poisson.
 /// @param words see scan_choice
 void bench_remesh_wild(std::ostream& out, const std::vector<std::string>& words);
 
 void bench_silhouette(std::ostream& out);
-void bench_silhouette_depth(std::ostream& out);  ///< how parts lie behind one another, and which are refused for it
 
 /// How often drawings with random errors of the hand are read as they were meant.
 /// @param words "tuning" for the seeds that rules were tuned on; a folder for the drawings that aren't read
@@ -41,7 +35,6 @@ void bench_silhouette_hand(std::ostream& out, const std::vector<std::string>& wo
 /// @param words a folder of .svg files
 void bench_strangers(std::ostream& out, const std::vector<std::string>& words);
 
-void bench_silhouette_finish(std::ostream& out);  ///< joined parts and the meshes of silhouettes
 void bench_subdivision(std::ostream& out);
 void bench_surface(std::ostream& out);
 

@@ -1,63 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/bench.h"
 
 namespace {
 
-using Bench = std::function<void(std::ostream&, const std::vector<std::string>&)>;
+using Words = std::vector<std::string>;
 
-/// A benchmark that takes no words of its own.
-Bench plain(void (*bench)(std::ostream&)) {
-  return [bench](std::ostream& out, const std::vector<std::string>&) { bench(out); };
-}
+struct Benchmark {
+  std::string name;
+  std::function<void(std::ostream&, const Words&)> run;
+  bool takes_words = false;  ///< that stand behind its name
+  bool is_usual = false;     ///< runs when none is named
+};
 
-const std::map<std::string, Bench>& benches() {
+const std::vector<Benchmark>& benches() {
   using namespace croquis::bench;
-  static const std::map<std::string, Bench> all = {{"holes", bench_holes},
-                                                   {"holes-wild", bench_holes_wild},
-                                                   {"implicit", plain(bench_implicit)},
-                                                   {"perspective", plain(bench_perspective)},
-                                                   {"readers", plain(bench_readers)},
-                                                   {"remesh", plain(bench_remesh)},
-                                                   {"remesh-adaptive", bench_remesh_adaptive},
-                                                   {"remesh-wild", bench_remesh_wild},
-                                                   {"silhouette", plain(bench_silhouette)},
-                                                   {"silhouette-depth", plain(bench_silhouette_depth)},
-                                                   {"silhouette-finish", plain(bench_silhouette_finish)},
-                                                   {"silhouette-hand", bench_silhouette_hand},
-                                                   {"solver", plain(bench_solver)},
-                                                   {"strangers", bench_strangers},
-                                                   {"subdivision", plain(bench_subdivision)},
-                                                   {"surface", plain(bench_surface)}};
+  const auto plain = [](void (*bench)(std::ostream&)) {
+    return [bench](std::ostream& out, const Words&) { bench(out); };
+  };
+  static const std::vector<Benchmark> all = {{"readers", plain(bench_readers), false, true},
+                                             {"solver", plain(bench_solver), false, true},
+                                             {"silhouette", plain(bench_silhouette), false, true},
+                                             {"silhouette-hand", bench_silhouette_hand, true, true},
+                                             {"subdivision", plain(bench_subdivision), false, true},
+                                             {"perspective", plain(bench_perspective), false, true},
+                                             {"surface", plain(bench_surface), false, true},
+                                             {"implicit", plain(bench_implicit), false, true},
+                                             {"holes", bench_holes, true, true},
+                                             {"remesh", plain(bench_remesh), false, true},
+                                             {"holes-wild", bench_holes_wild, true},
+                                             {"remesh-wild", bench_remesh_wild, true},
+                                             {"strangers", bench_strangers, true}};
   return all;
 }
 
 /// One benchmark, and the words behind its name.
-using Choice = std::pair<std::string, std::vector<std::string>>;
-
-bool takes_words(const std::string& bench) {
-  return bench == "holes" || bench == "holes-wild" || bench == "remesh-adaptive" || bench == "remesh-wild" ||
-         bench == "silhouette-hand" || bench == "strangers";
-}
+using Choice = std::pair<const Benchmark*, Words>;
 
 /// Words that are no benchmark's name belong to the one before them that takes words. @return whether all words mean
 /// something
-bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& choices) {
+bool read_choices(const Words& words, std::vector<Choice>& choices) {
   for (const std::string& word : words) {
-    if (benches().contains(word)) {
-      choices.push_back({word, {}});
-    } else if (!choices.empty() && takes_words(choices.back().first)) {
+    const auto bench = std::ranges::find(benches(), word, &Benchmark::name);
+    if (bench != benches().end()) {
+      choices.push_back({&*bench, {}});
+    } else if (!choices.empty() && choices.back().first->takes_words) {
       choices.back().second.push_back(word);
     } else {
-      std::cerr << "There is no benchmark '" << word
-                << "': use holes, holes-wild, implicit, perspective, readers, remesh, remesh-adaptive, remesh-wild, "
-                   "silhouette, "
-                   "silhouette-depth, silhouette-finish, silhouette-hand, solver, strangers, subdivision or surface.\n";
+      std::cerr << "There is no benchmark '" << word << "'; there are:";
+      for (const Benchmark& known : benches()) std::cerr << ' ' << known.name;
+      std::cerr << '\n';
       return false;
     }
   }
@@ -67,16 +65,16 @@ bool read_choices(const std::vector<std::string>& words, std::vector<Choice>& ch
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty())
-    words = {"readers",     "solver",  "silhouette", "silhouette-hand", "subdivision",
-             "perspective", "surface", "implicit",   "holes",           "remesh"};
   std::vector<Choice> choices;
-  if (!read_choices(words, choices)) return 2;
+  if (!read_choices({argv + 1, argv + argc}, choices)) return 2;
+  if (choices.empty()) {
+    for (const Benchmark& bench : benches())
+      if (bench.is_usual) choices.push_back({&bench, {}});
+  }
   try {
-    for (const auto& [name, sections] : choices) {
-      std::cout << "# " << name << "\n\n";
-      benches().at(name)(std::cout, sections);
+    for (const auto& [bench, words] : choices) {
+      std::cout << "# " << bench->name << "\n\n";
+      bench->run(std::cout, words);
       std::cout << std::endl;
     }
   } catch (const std::exception& error) {

@@ -408,9 +408,24 @@ TEST_CASE("every figure of a report counts in its hash, with its type and place"
   check_changes<Report>(small_report, changes, hash_of_value<Report>);
 }
 
-std::shared_ptr<const Backdrop> backdrop(double x, double opacity, bool visible, const std::string& bytes) {
-  auto picture = std::make_shared<const PictureFile>(PictureFile{bytes, 3, 2, "a.png"});
-  return std::make_shared<const Backdrop>(Backdrop{picture, Vec2(x, 0), 1, opacity, visible});
+Backdrop small_backdrop() {
+  return {std::make_shared<const PictureFile>(PictureFile{"bytes", 3, 2, "a.png"}), Vec2(1, 0), 1, 0.5, true};
+}
+
+TEST_CASE("every field of a backdrop counts in its document's hash") {
+  const auto with_picture = [](const PictureFile& picture) {
+    return [picture](Backdrop& b) { b.picture = std::make_shared<const PictureFile>(picture); };
+  };
+  const Changes<Backdrop> changes = {[](Backdrop& b) { b.centre.x() = 2; },  [](Backdrop& b) { b.centre.y() = 2; },
+                                     [](Backdrop& b) { b.scale = 2; },       [](Backdrop& b) { b.opacity = 0.4; },
+                                     [](Backdrop& b) { b.visible = false; }, with_picture({"other", 3, 2, "a.png"}),
+                                     with_picture({"bytes", 4, 2, "a.png"}), with_picture({"bytes", 3, 3, "a.png"}),
+                                     with_picture({"bytes", 3, 2, "b.png"})};
+  check_changes<Backdrop>(small_backdrop, changes, [](const Backdrop& backdrop) {
+    Node node = small_node();
+    node.backdrop = std::make_shared<const Backdrop>(backdrop);
+    return content_hash(Document().with(node));
+  });
 }
 
 TEST_CASE("every field of a node counts in its document's hash") {
@@ -435,11 +450,7 @@ TEST_CASE("every field of a node counts in its document's hash") {
                                  [](Node& n) { n.transform.offset.y() = 1; },
                                  [](Node& n) { n.transform.linear(0, 1) = 1; },
                                  [](Node& n) { n.transform.linear(1, 0) = 1; },
-                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, true, "a"); },
-                                 [](Node& n) { n.backdrop = backdrop(2, 0.5, true, "a"); },
-                                 [](Node& n) { n.backdrop = backdrop(1, 0.4, true, "a"); },
-                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, false, "a"); },
-                                 [](Node& n) { n.backdrop = backdrop(1, 0.5, true, "b"); }};
+                                 [](Node& n) { n.backdrop = std::make_shared<const Backdrop>(small_backdrop()); }};
   check_changes<Node>(small_node, changes, [](const Node& node) { return content_hash(Document().with(node)); });
 }
 

@@ -24,10 +24,8 @@ void bench_holes(std::ostream& out, const std::vector<std::string>& sections) {
       known.at(chosen[i])(out);
     } else if (chosen[i] == "external" && i + 1 < chosen.size()) {
       report_external_holes(out, chosen[++i]);
-    } else if (chosen[i] == "export" && i + 1 < chosen.size()) {
-      export_holes(out, chosen[++i]);
     } else {
-      throw std::invalid_argument("Sections of holes: accuracy, growth, rims, speed, external FOLDER, export FOLDER.");
+      throw std::invalid_argument("Sections of holes: accuracy, growth, rims, speed, external FOLDER.");
     }
   }
 }

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-/// The sections of the benchmark of hole filling. Every table tells the target beside the figure.
+/// The sections of the benchmark of hole filling. Every table names the target beside the figure.
 namespace croquis::bench {
 
 void report_hole_accuracy(std::ostream& out);  ///< sculptures with known holes, every method
@@ -12,6 +12,5 @@ void report_hole_growth(std::ostream& out);    ///< time and memory over size, a
 void report_long_rims(std::ostream& out);      ///< one rim of 10,000 edges
 void report_hole_speed(std::ostream& out);     ///< whole programs, from file to file; threads
 void report_external_holes(std::ostream& out, const std::string& folder);  ///< see cases_in
-void export_holes(std::ostream& out, const std::string& folder);  ///< the cases of `accuracy`, to be read like these
 
 }  // namespace croquis::bench

@@ -230,24 +230,14 @@ Family rough_scans() {
           {{Method::Noisy, cgal, 1}, {Method::Implicit, cgal, 1}}};
 }
 
-constexpr std::array families = {small_holes, huge_holes, machined_holes, islands, rough_scans};
-constexpr std::array family_names = {"small", "huge", "machined", "islands", "rough"};
-
 }  // namespace
 
 void report_hole_accuracy(std::ostream& out) {
-  for (const auto family : families) report(out, family());
+  for (const auto family : {small_holes, huge_holes, machined_holes, islands, rough_scans}) report(out, family());
 }
 
 void report_external_holes(std::ostream& out, const std::string& folder) {
   report(out, {"Scans of " + folder, cases_in(folder), usual, usual_targets()});
-}
-
-void export_holes(std::ostream& out, const std::string& folder) {
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    for (const HoleCase& holes : families[i]().cases) write_case(holes, folder + "/" + family_names[i]);
-  }
-  out << "Written to " << folder << ".\n";
 }
 
 }  // namespace croquis::bench

@@ -179,45 +179,20 @@ void print_errors(std::ostream& out, const Groups& groups) {
   out << '\n';
 }
 
-/// What was told about a hole that was closed, by default or when asked for, and what it came to.
-struct Told {
-  double confidence, error, relative;  // the latter × diameter of the hole
-};
-
-std::vector<Told> told_of(const Holes& holes) {
-  std::vector<Told> told;
-  for (const HoleRecord* hole : holes) {
-    const HoleFate& fate = hole->is_left ? hole->asked : hole->of(Filler::Ours);
-    if (fate.is_closed && std::isfinite(hole->confidence))
-      told.push_back({hole->confidence, fate.error, 1e-4 * fate.error / hole->diameter});
-  }
-  return told;
-}
-
 void print_confidence(std::ostream& out, const Groups& groups) {
   out << "| | holes | rank correlation of confidence and -error (wanted 0.7) | and -error / diameter of the hole |\n"
          "|---|---|---|---|\n";
   for (const auto& [name, holes] : groups) {
     std::vector<double> confidence, error, relative;
-    for (const Told& told : told_of(holes)) {
-      confidence.push_back(told.confidence), error.push_back(-told.error), relative.push_back(-told.relative);
+    for (const HoleRecord* hole : holes) {
+      const FilledHole& made = hole->is_left ? hole->asked : hole->of(Filler::Ours);
+      if (!made.is_closed || !std::isfinite(hole->confidence)) continue;
+      confidence.push_back(hole->confidence);
+      error.push_back(-made.error);
+      relative.push_back(-made.error / hole->diameter);
     }
     out << "| " << name << " | " << confidence.size() << " | " << rank_correlation(confidence, error) << " | "
         << rank_correlation(confidence, relative) << " |\n";
-  }
-  out << "\n| confidence told, all holes | holes | median error | 90 % | median error / diameter | 90 % |\n"
-         "|---|---|---|---|---|---|\n";
-  constexpr std::array limits = {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.01};
-  const std::vector<Told> all = told_of(groups.back().second);
-  for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
-    std::vector<double> errors, relative;
-    for (const Told& told : all) {
-      if (told.confidence < limits[i] || told.confidence >= limits[i + 1]) continue;
-      errors.push_back(told.error), relative.push_back(told.relative);
-    }
-    out << "| " << limits[i] << " to " << std::min(1.0, limits[i + 1]) << " | " << errors.size() << " | "
-        << median(errors) << " | " << quantile(errors, 0.9) << " | " << median(relative) << " | "
-        << quantile(relative, 0.9) << " |\n";
   }
   out << '\n';
 }
@@ -225,7 +200,7 @@ void print_confidence(std::ostream& out, const Groups& groups) {
 /// Holes that the default options leave, each asked for by its number.
 void print_asked(std::ostream& out, const Groups& groups) {
   out << "| left as OUTER, then asked for | holes | closed: ours | CGAL C1 | CGAL C2 | closed by all: holes | median "
-         "error: ours | CGAL C1 | CGAL C2 | median confidence told |\n|---|---|---|---|---|---|---|---|---|---|\n";
+         "error: ours | CGAL C1 | CGAL C2 | median confidence |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& [name, all] : groups) {
     std::size_t left = 0, ours = 0;
     std::array<std::size_t, 2> peers{};
@@ -276,8 +251,8 @@ void print_methods(std::ostream& out, const Holes& all) {
   for (const auto& [method, holes] : by_method) {
     std::vector<double> ours, peer;
     for (const HoleRecord* hole : holes) {
-      const HoleFate& fate = hole->is_left ? hole->asked : hole->of(Filler::Ours);
-      if (fate.is_closed) ours.push_back(fate.error);
+      const FilledHole& made = hole->is_left ? hole->asked : hole->of(Filler::Ours);
+      if (made.is_closed) ours.push_back(made.error);
       if (std::isfinite(better_peer(*hole))) peer.push_back(better_peer(*hole));
     }
     out << '|' << method << " | " << holes.size() << " | " << median(ours) << " | " << median(peer) << " | "
@@ -286,9 +261,9 @@ void print_methods(std::ostream& out, const Holes& all) {
   out << '\n';
 }
 
-void print_fate(std::ostream& out, const HoleFate& fate) {
-  if (fate.is_closed) {
-    out << ' ' << fate.error << " |";
+void print_error(std::ostream& out, const FilledHole& made) {
+  if (made.is_closed) {
+    out << ' ' << made.error << " |";
   } else {
     out << " open |";
   }
@@ -306,7 +281,7 @@ void print_list(std::ostream& out, const std::string& title, Holes holes,
     out << "| " << scan_of(*hole) << ' ' << hole->seed << ", " << hole->number << " | " << name_of(hole->kind) << " | "
         << hole->rim_edges << " | " << hole->diameter << " |";
     for (const Filler filler : all_fillers)
-      print_fate(out, filler == Filler::Ours && hole->is_left ? hole->asked : hole->of(filler));
+      print_error(out, filler == Filler::Ours && hole->is_left ? hole->asked : hole->of(filler));
     out << hole->method << " | " << hole->confidence << " | "
         << (hole->is_left ? hole->asked.cpu_ms : hole->of(Filler::Ours).cpu_ms) << " |\n";
   }
@@ -320,8 +295,8 @@ void print_worst(std::ostream& out, const Holes& all) {
   print_list(out, "farther off than CGAL", all,
              [](const HoleRecord& hole) { return std::isfinite(excess(hole)) ? excess(hole) : 0; });
   print_list(out, "confidence above 0.5, largest error", all, [](const HoleRecord& hole) {
-    const HoleFate& fate = hole.is_left ? hole.asked : hole.of(Filler::Ours);
-    return fate.is_closed && hole.confidence > 0.5 ? fate.error : 0;
+    const FilledHole& made = hole.is_left ? hole.asked : hole.of(Filler::Ours);
+    return made.is_closed && hole.confidence > 0.5 ? made.error : 0;
   });
   print_list(out, "slowest", all, [](const HoleRecord& hole) {
     const double ms = hole.is_left ? hole.asked.cpu_ms : hole.of(Filler::Ours).cpu_ms;

@@ -41,7 +41,7 @@ struct Made {
   std::size_t faces = 0;
   double beyond_cells = 0;   ///< share of vertices outside of holes' zones farther than half a cell from the scan, %
   double beyond = 0;         ///< and farther than 5 % of the diagonal, in zones or not, %
-  double astray = 0;         ///< and as far from the thing itself, %
+  double off_thing = 0;      ///< and as far from the thing itself, %
   double scan_off = 0;       ///< mean distance of the scan's vertices to it, 1e-4 diagonals
   double holes_off = 0;      ///< of the places that are missing, mean over holes
   std::ptrdiff_t euler = 0;  ///< V - E + F
@@ -111,11 +111,11 @@ Made judged(const KnownScan& scan, const PolyMesh& mesh, const std::vector<Zone>
     const double distance = to_scan(mesh.positions[v]);
     const bool is_beyond = distance > far_diagonals * scan.diagonal;
     made.beyond += is_beyond;
-    made.astray += is_beyond && to_truth(mesh.positions[v]) > far_diagonals * scan.diagonal;
+    made.off_thing += is_beyond && to_truth(mesh.positions[v]) > far_diagonals * scan.diagonal;
     if (distance > far_cells * cell && !is_in_zone(mesh.positions[v], zones)) ++made.beyond_cells;
   }
   const double share = 100 / static_cast<double>(used.size());
-  made.beyond *= share, made.astray *= share, made.beyond_cells *= share;
+  made.beyond *= share, made.off_thing *= share, made.beyond_cells *= share;
   const double unit = 1e4 / scan.diagonal;
   made.scan_off = unit * test::summary_of_distances(scan.mesh.positions, to_made).mean;
   std::vector<double> holes;
@@ -136,21 +136,21 @@ std::string codes_of(const Findings& findings) {
 }
 
 /// The faces with a corner farther than 5 % of the diagonal from scan and thing.
-PolyMesh astray_of(const KnownScan& scan, const PolyMesh& mesh) {
+PolyMesh faces_off_thing(const KnownScan& scan, const PolyMesh& mesh) {
   const test::SurfaceDistance to_scan(scan.mesh), to_truth(scan.truth);
   const double most = far_diagonals * scan.diagonal;
-  PolyMesh astray;
+  PolyMesh off_thing;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     const auto is_astray = [&](Index v) {
       return to_scan(mesh.positions[v]) > most && to_truth(mesh.positions[v]) > most;
     };
     if (std::ranges::none_of(face, is_astray)) continue;
-    const auto first = static_cast<Index>(astray.positions.size());
-    for (const Index v : face) astray.positions.push_back(mesh.positions[v]);
-    astray.add_triangle(first, first + 1, first + 2);
+    const auto first = static_cast<Index>(off_thing.positions.size());
+    for (const Index v : face) off_thing.positions.push_back(mesh.positions[v]);
+    off_thing.add_triangle(first, first + 1, first + 2);
   }
-  return astray;
+  return off_thing;
 }
 
 Made made_by_us(const KnownScan& scan, const std::string& path, std::vector<Zone>& zones) {
@@ -174,7 +174,7 @@ Made made_by_us(const KnownScan& scan, const std::string& path, std::vector<Zone
     result.mesh.channels.clear();
     if (!path.empty()) {
       write_ply(result.mesh, path + "remeshed.ply");
-      write_ply(astray_of(scan, result.mesh), path + "astray.ply");
+      write_ply(faces_off_thing(scan, result.mesh), path + "off_thing.ply");
     }
   } else {
     made.state = refusal;
@@ -211,7 +211,7 @@ void print(std::ostream& out, const Row& row) {
     out << "| " << name_of(row.kind) << ' ' << row.seed << " | " << row.faces << ", " << row.euler << " | " << state
         << " | ";
     if (made.is_made)
-      out << made.beyond_cells << " | " << made.beyond << " | " << made.astray << " | " << made.scan_off << " | "
+      out << made.beyond_cells << " | " << made.beyond << " | " << made.off_thing << " | " << made.scan_off << " | "
           << made.holes_off << " | " << made.euler << ", " << made.open_loops << " | "
           << static_cast<double>(made.faces) / static_cast<double>(row.faces) << " | ";
     else
@@ -224,18 +224,18 @@ void print(std::ostream& out, const Row& row) {
 
 /// Of one kind's scans, or of all.
 void print_summary(std::ostream& out, const std::string& name, const std::vector<Row>& rows) {
-  std::size_t made = 0, astray = 0, peer_astray = 0;
+  std::size_t made = 0, off_thing = 0, peer_off_thing = 0;
   std::vector<double> cells, scan, scan_time, holes, holes_time, faces;
   for (const Row& row : rows) {
     if (!row.ours.is_made) continue;
     ++made;
-    astray += row.ours.astray > 1;
+    off_thing += row.ours.off_thing > 1;
     cells.push_back(row.ours.beyond_cells);
     faces.push_back(static_cast<double>(row.ours.faces) / static_cast<double>(row.faces));
     if (row.peers.empty()) continue;
     const Made& nearest = *row.best(&Made::scan_off);
     const Made& closest = *row.best(&Made::holes_off);
-    peer_astray += nearest.astray > 1;
+    peer_off_thing += nearest.off_thing > 1;
     scan.push_back(row.ours.scan_off / nearest.scan_off);
     scan_time.push_back(row.ours.seconds / nearest.seconds);
     if (!(closest.holes_off > 0)) continue;  // nothing is missing
@@ -247,7 +247,7 @@ void print_summary(std::ostream& out, const std::string& name, const std::vector
     text << std::setprecision(3) << median(values) << ", " << quantile(values, 1);
     return text.str();
   };
-  out << "| " << name << " | " << rows.size() << " | " << made << " | " << astray << " | " << peer_astray;
+  out << "| " << name << " | " << rows.size() << " | " << made << " | " << off_thing << " | " << peer_off_thing;
   for (const std::vector<double>* values : {&cells, &faces, &scan, &scan_time, &holes, &holes_time})
     out << " | " << (values->empty() ? "" : median_and_most(*values));
   out << " |\n";

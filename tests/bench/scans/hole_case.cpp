@@ -149,17 +149,6 @@ std::vector<HoleCase> cases_in(const std::string& folder) {
   return cases;
 }
 
-void write_case(const HoleCase& holes, const std::string& folder) {
-  std::filesystem::create_directories(folder);
-  const std::string path = (std::filesystem::path(folder) / holes.name).string();
-  write_ply(holes.mesh, path + "_cut.ply");
-  std::ofstream text(path + "_removed_pts.txt");
-  for (std::size_t hole = 0; hole < holes.removed.size(); ++hole) {
-    text << "hole " << hole << '\n';
-    for (const Vec3& p : holes.removed[hole]) text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  }
-}
-
 const char* name_of(Method method) {
   constexpr std::array names = {"MeshLab", "CGAL C1", "CGAL C2", "smooth", "rbf", "rbf sharp", "rbf noisy"};
   return names[static_cast<std::size_t>(method)];

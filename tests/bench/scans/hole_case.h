@@ -27,9 +27,6 @@ HoleCase case_of(const std::string& name, const test::CutScan& cuts);
 /// line.
 std::vector<HoleCase> cases_in(const std::string& folder);
 
-/// The other way round, for a look with other programs.
-void write_case(const HoleCase& holes, const std::string& folder);
-
 /// Every way to fill that is compared: other programs', then ours by fairness and preset.
 enum class Method { MeshLab, CgalTangent, CgalCurved, Smooth, Implicit, Sharp, Noisy };
 const char* name_of(Method method);

@@ -71,24 +71,24 @@ class Patches {
       faces_of_[sets_.root(f)].push_back(f);
   }
 
-  HoleFate fate(const KnownHole& hole, const std::vector<Edge>& rim, double diagonal) {
+  FilledHole filled(const KnownHole& hole, const std::vector<Edge>& rim, double diagonal) {
     std::set<Index> patches;
-    HoleFate fate;
-    fate.is_closed = true;
+    FilledHole made;
+    made.is_closed = true;
     for (const Edge& edge : rim) {
       const auto found = face_at_.find(edge);
       if (found == face_at_.end()) {
-        fate.is_closed = false;
+        made.is_closed = false;
       } else {
         patches.insert(sets_.root(found->second));
       }
     }
-    if (!fate.is_closed) return fate;
+    if (!made.is_closed) return made;
     std::vector<Index> faces;
     for (const Index patch : patches) faces.insert(faces.end(), faces_of_[patch].begin(), faces_of_[patch].end());
     const test::SurfaceDistance distance(filled_.mesh, faces);
-    fate.error = 1e4 * test::summary_of_distances(hole.places, distance).mean / diagonal;
-    return fate;
+    made.error = 1e4 * test::summary_of_distances(hole.places, distance).mean / diagonal;
+    return made;
   }
 
  private:
@@ -179,9 +179,9 @@ class Measurement {
     record_.new_intersections[i] = intersections(filled.mesh) - given_intersections_;
     Patches patches(filled);
     for (HoleRecord& hole : record_.holes) {
-      const double cpu = hole.fates[i].cpu_ms;
-      hole.fates[i] = patches.fate(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
-      hole.fates[i].cpu_ms = cpu;
+      const double cpu = hole.filled[i].cpu_ms;
+      hole.filled[i] = patches.filled(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
+      hole.filled[i].cpu_ms = cpu;
     }
     save(made.mesh, name_of(filler));
   }
@@ -199,7 +199,7 @@ class Measurement {
       for (const Edge& edge : rims_[hole.number]) {
         if (rim_at.contains(edge)) own.insert(rim_at[edge]);
       }
-      double& cpu = hole.fates[static_cast<std::size_t>(filler)].cpu_ms = 0;
+      double& cpu = hole.filled[static_cast<std::size_t>(filler)].cpu_ms = 0;
       for (const std::size_t r : own) cpu += made.rims[r].cpu_ms;
     }
     judge(filler, made.filled);
@@ -247,22 +247,21 @@ class Measurement {
     for (HoleRecord& hole : record_.holes) {
       const std::set<Index>& own = found[hole.number];
       if (own.empty()) continue;
-      tell_outcome(hole, result, own);
+      note_outcome(hole, result, own);
       std::size_t edges = 0;
       for (const Index id : own) edges += result.analysis.holes[id].vertices.size();
-      hole.has_own_rim = 5 * edges < 6 * hole.rim_edges;  // a few stray triangles may hang there
+      hole.has_own_rim = 5 * edges < 6 * hole.rim_edges;  // a few loose triangles may hang there
       if (hole.has_own_rim) fill_alone(hole, {own.begin(), own.end()}, untouched.cpu_ms);
     }
   }
 
-  void tell_outcome(HoleRecord& hole, const FillResult& result, const std::set<Index>& own) const {
+  void note_outcome(HoleRecord& hole, const FillResult& result, const std::set<Index>& own) const {
     for (const Index id : own) {
       const HoleOutcome& outcome = result.outcomes[id];
       if (outcome.action == FillAction::Leave) hole.is_left = true;
       if (outcome.action != FillAction::Fill) continue;
       if (hole.method.find(outcome.method) == std::string::npos) hole.method += " " + outcome.method;
       if (!(hole.confidence <= outcome.confidence)) hole.confidence = outcome.confidence;
-      hole.expected_error = 1e4 * outcome.expected_error / scan_.diagonal;
     }
   }
 
@@ -272,17 +271,17 @@ class Measurement {
     options.only = own;
     FilledMesh filled;
     const FillResult result = filled_by_us(options, filled);
-    HoleFate& fate = hole.is_left ? hole.asked : hole.fates[0];
+    FilledHole& made = hole.is_left ? hole.asked : hole.filled[0];
     if (hole.is_left) {
       hole.method.clear();
       hole.confidence = unknown;
-      tell_outcome(hole, result, {own.begin(), own.end()});
-      const FilledMesh made{joined(filled.mesh), filled.first_new_face, filled.cpu_ms};
-      Patches patches(made);
-      fate = patches.fate(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
+      note_outcome(hole, result, {own.begin(), own.end()});
+      const FilledMesh whole{joined(filled.mesh), filled.first_new_face, filled.cpu_ms};
+      Patches patches(whole);
+      made = patches.filled(scan_.holes[hole.number], rims_[hole.number], scan_.diagonal);
       save(filled.mesh, "asked" + std::to_string(hole.number));
     }
-    fate.cpu_ms = std::max(0.0, filled.cpu_ms - untouched_ms);
+    made.cpu_ms = std::max(0.0, filled.cpu_ms - untouched_ms);
   }
 
   KnownScan scan_;

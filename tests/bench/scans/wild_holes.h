@@ -20,8 +20,8 @@ const char* name_of(Filler filler);
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What became of one hole.
-struct HoleFate {
+/// What a program made of one hole.
+struct FilledHole {
   bool is_closed = false;   ///< every edge of its rim has a new face
   double error = unknown;   ///< of a closed one: mean distance of the places missing to its patch, 1e-4 diagonals
   double cpu_ms = unknown;  ///< of filling this hole alone; MeshLab: unknown
@@ -33,17 +33,16 @@ struct HoleRecord {
   std::size_t number = 0;  ///< in the scan
   test::HoleKind kind;
   std::size_t rim_edges = 0;
-  double diameter = 0;              ///< of its rim, × diagonal
-  bool has_seams = false;           ///< of the scan
-  bool has_own_rim = false;         ///< it isn't part of a sheet's border, or of a gap's
-  bool is_left = false;             ///< an OUTER rim that the default options don't fill
-  std::array<HoleFate, 4> fates;    ///< by Filler
-  HoleFate asked;                   ///< ours, where it was left and then asked for by number
-  std::string method;               ///< ours
-  double confidence = unknown;      ///< ours, told
-  double expected_error = unknown;  ///< ours, told, 1e-4 diagonals
+  double diameter = 0;               ///< of its rim, × diagonal
+  bool has_seams = false;            ///< of the scan
+  bool has_own_rim = false;          ///< it isn't part of a sheet's border, or of a gap's
+  bool is_left = false;              ///< an OUTER rim that the default options don't fill
+  std::array<FilledHole, 4> filled;  ///< by Filler
+  FilledHole asked;                  ///< ours, where it was left and then asked for by number
+  std::string method;                ///< ours
+  double confidence = unknown;       ///< ours, reported
 
-  const HoleFate& of(Filler filler) const { return fates[static_cast<std::size_t>(filler)]; }
+  const FilledHole& of(Filler filler) const { return filled[static_cast<std::size_t>(filler)]; }
 };
 
 struct ScanRecord {
