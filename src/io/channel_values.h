@@ -11,6 +11,9 @@
 /// Reading and making channels independently of the type that their file has.
 namespace croquis {
 
+/// Of vertices: corners that an earlier refinement has made, in OBJ's own tag `settled`.
+inline constexpr const char* settled_corner_channel = "settled_corner";
+
 /// The value number `i` of the flat data.
 double value_of(const AttributeChannel& channel, std::size_t i);
 

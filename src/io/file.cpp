@@ -9,8 +9,7 @@
 #include <unistd.h>
 
 #include "croquis/base/error.h"
-#include "io/descriptor.h"
-#include "io/file_errors.h"
+#include "io/system_files.h"
 
 namespace croquis {
 
@@ -55,6 +54,12 @@ std::string writing_reason(int error) {
     case ENOSPC: return "the disk is full";
     default: return std::strerror(error);
   }
+}
+
+void sync_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.valid()) ::fsync(directory.get());
 }
 
 void fail_reading(const std::string& path, const std::string& reason) {

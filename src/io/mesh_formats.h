@@ -11,8 +11,8 @@
 namespace croquis {
 
 /// Wavefront OBJ (Advanced Visualizer manual, appendix B1): vertices, faces and polylines, and the tags for
-/// subdivision that OpenSubdiv's shapes add (see ObjTagReader); free-form geometry, points and display attributes are
-/// passed over with a warning.
+/// subdivision that OpenSubdiv's shapes add (`t crease`, `t corner`); free-form geometry, points and display attributes
+/// are passed over with a warning.
 PolyMesh read_obj(std::string_view bytes, ReadContext& context);
 
 /// Wavefront OBJ: vertices in order with their colours, faces with uv and normals, groups, objects, materials and
@@ -45,8 +45,7 @@ MeshWriteResult write_off(const PolyMesh& mesh, const MeshWriteOptions& options,
 PolyMesh read_glb(std::string_view bytes, ReadContext& context);
 
 /// Binary glTF 2.0: a node with a mesh for each object, of triangles by material (else by group) and of polylines as
-/// lines, with normals, colours and texture coordinates (see glb_objects); the camera of the options as a node (see
-/// add_camera_node).
+/// lines, with normals, colours and texture coordinates (see glb_objects); the camera of the options as a node.
 MeshWriteResult write_glb(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress);
 
 }  // namespace croquis

@@ -9,8 +9,7 @@
 #include <unistd.h>
 
 #include "croquis/io/file.h"
-#include "io/descriptor.h"
-#include "io/file_errors.h"
+#include "io/system_files.h"
 
 namespace croquis {
 namespace {
@@ -41,13 +40,6 @@ void write_directly(const std::string& path, const std::string& bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!file.valid()) fail_writing(path, writing_reason(errno));
   write_all(file.get(), bytes, path);
-}
-
-// Makes the renames themselves survive a power cut; not every file system can, so failure is no error.
-void sync_folder_of(const std::string& target) {
-  const std::string folder = fs::path(target).parent_path().string();
-  const Descriptor directory(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.valid()) ::fsync(directory.get());
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::uint32_t number_at(std::string_view bytes, std::size_t place, std::size_t s
   return number;
 }
 
-/// The tag "orientation" of Exif data, 1..8; 1 where it isn't told. https://www.w3.org/TR/png-3/ (11.3.4.3), Exif 2.32
+/// The tag "orientation" of Exif data, 1..8; 1 where it isn't given. https://www.w3.org/TR/png-3/ (11.3.4.3), Exif 2.32
 /// (4.6.4)
 int exif_orientation(std::string_view exif) {
   constexpr std::uint32_t orientation = 0x0112;

@@ -75,6 +75,20 @@ std::string in_quotes(std::string_view text) {
   return result += '\'';
 }
 
+void append_xml_attribute(std::string& text, std::string_view name, std::string_view value) {
+  text.append(" ").append(name).append("=\"");
+  for (const char c : value) {
+    switch (c) {
+      case '&': text += "&amp;"; break;
+      case '<': text += "&lt;"; break;
+      case '>': text += "&gt;"; break;
+      case '"': text += "&quot;"; break;
+      default: text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  text += '"';
+}
+
 LineReader::LineReader(std::string_view bytes, std::size_t position, std::int64_t first_line)
     : bytes_(bytes), position_(position), number_(first_line - 1) {
   end_ = bytes.find('\n', position) == std::string_view::npos ? '\r' : '\n';

@@ -18,6 +18,9 @@ std::string lower_case(std::string_view text);
 /// A piece of a file as it may stand in a message: shortened, control characters replaced.
 std::string in_quotes(std::string_view text);
 
+/// Appends ` name="value"`; characters that XML can't hold become spaces.
+void append_xml_attribute(std::string& text, std::string_view name, std::string_view value);
+
 struct TextLine {
   std::string_view text;    ///< without its end
   std::int64_t number = 0;  ///< 1-based

@@ -279,6 +279,20 @@ TEST_CASE("what is not shown is no stroke, what is not a line is named in a warn
   CHECK(result.warnings.back().message.find("2 ") == 0);
 }
 
+TEST_CASE("a file that is cut off is refused with the line where it ends") {
+  const std::string whole = "<svg>\n<g>\n<path d='M0 0L1 1'/>\n</g>\n</svg>\n";
+  for (const std::size_t size : {whole.size() - 3, whole.find("</g>") + 2, whole.find("L1"), whole.find("path") + 2}) {
+    const std::string svg = whole.substr(0, size);
+    const auto line = 1 + std::count(svg.begin(), svg.end(), '\n');
+    const Findings findings = errors_of(svg);
+    INFO(svg);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings.front().code == "E_SYNTAX");
+    CHECK(findings.front().message.find("XML on line " + std::to_string(line) + ": ") != std::string::npos);
+    CHECK(findings.front().subjects.front().line == line);
+  }
+}
+
 TEST_CASE("bad files are refused with their code, line and stroke, all findings at once") {
   CHECK(code_of("") == "E_EMPTY");
   CHECK(code_of(" \n") == "E_EMPTY");

@@ -36,12 +36,12 @@ constexpr Field<T> named(const char* name, T&& value) {
 }
 
 template <typename... T>
-struct Fields {
+struct FieldList {
   std::tuple<Field<T>...> list;
 };
 
 template <typename... T>
-constexpr Fields<T...> fields(Field<T>... list) {
+constexpr FieldList<T...> fields(Field<T>... list) {
   return {{std::move(list)...}};
 }
 
@@ -51,7 +51,7 @@ concept Described = requires(const S& s) {
 };
 
 template <typename... T>
-constexpr std::size_t field_count(const Fields<T...>*) {
+constexpr std::size_t field_count(const FieldList<T...>*) {
   return sizeof...(T);
 }
 
@@ -69,7 +69,7 @@ template <typename T>
 Report to_report(const T& value);
 
 template <typename... T>
-Report to_report(const Fields<T...>& all) {
+Report to_report(const FieldList<T...>& all) {
   Report::Object members;
   std::apply([&](const auto&... field) { (members.emplace_back(field.name, to_report(field.value)), ...); }, all.list);
   return Report::of_members(std::move(members));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "croquis/base/report.h"
-#include "croquis/geometry/poly_mesh.h"
 #include "io/read_context.h"
 
 /// The parts of GLB files, as they are read.
@@ -117,33 +115,5 @@ struct GlbInstance {
 /// All of a model's, parents before children, else in the order of their numbers. Linear in the number of nodes.
 /// @throws Error E_SYNTAX when a node is reached twice or is its own descendant, E_INDEX
 std::vector<GlbInstance> glb_instances(const GltfDocument& document);
-
-/// One attribute of the vertices as a GLB file repeats them, NaN where there is none.
-class GlbAttribute {
- public:
-  /// Values of vertices `first`, `first` + 1, …; at most four components.
-  void add(std::size_t first, const GltfNumbers& numbers);
-
-  bool empty() const { return width_ == 0; }
-  bool all_bytes() const { return all_bytes_; }
-  std::size_t width() const { return width_; }
-
-  /// @param repeated how many vertices the file has. Component by component
-  std::vector<double> values(std::size_t repeated) const;
-
- private:
-  std::vector<double> values_;  ///< four per vertex
-  std::size_t width_ = 0;
-  bool all_bytes_ = true;
-};
-
-/// Which vertices of the file became which of the mesh.
-struct GlbVertices {
-  std::vector<Index> joined;           ///< per vertex of the file
-  std::vector<std::uint32_t> corners;  ///< per corner of the mesh, the vertex of the file
-};
-
-/// Appends a channel: on vertices where all that were joined agree, else on corners.
-void add_glb_channel(const char* name, const GlbAttribute& attribute, const GlbVertices& vertices, PolyMesh& mesh);
 
 }  // namespace croquis

@@ -50,6 +50,20 @@ std::optional<std::array<double, N>> numbers_of(const Report* report) {
   return result;
 }
 
+/// The value of an enumeration that a word stands for. @param words of its values, in their order
+template <typename Enum, std::size_t N>
+std::optional<Enum> value_of_word(std::string_view word, const std::array<const char*, N>& words) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (word == words[i]) return static_cast<Enum>(i);
+  }
+  return std::nullopt;
+}
+
+template <typename Enum, std::size_t N>
+const char* word_of(Enum value, const std::array<const char*, N>& words) {
+  return words[static_cast<std::size_t>(value)];
+}
+
 /// What is wrong with a report, and the members that its format doesn't have: at most a hundred of each.
 class ReportNotes {
  public:

@@ -12,13 +12,12 @@
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
 #include "croquis/io/json.h"
+#include "croquis/io/surface_places_file.h"
 #include "io/json/report_reader.h"
 #include "io/text.h"
 
 namespace croquis {
 namespace {
-
-// ---- The words of the format
 
 constexpr const char* attribute_network_format = "croquis-abs/1";
 
@@ -28,17 +27,37 @@ constexpr std::array<const char*, 2> domain_words = {"chordlength", "uniform"};
 constexpr std::array<const char*, 2> point_profile_words = {"smooth", "cone"};
 constexpr std::array<const char*, 2> inner_profile_words = {"smooth", "sharp"};
 
-template <typename Enum, std::size_t N>
-const char* attribute_word(Enum kind, const std::array<const char*, N>& words) {
-  return words[static_cast<std::size_t>(kind)];
+bool is_not_finite_word(const Report& report) {
+  const auto* word = report_as<std::string>(&report);
+  std::string lower = word == nullptr ? "" : lower_case(*word);
+  if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
+  return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-template <typename Enum, std::size_t N>
-std::optional<Enum> attribute_kind(std::string_view word, const std::array<const char*, N>& words) {
-  for (std::size_t i = 0; i < N; ++i) {
-    if (word == words[i]) return static_cast<Enum>(i);
+/// "smooth", "position" or "paper"
+template <std::size_t N>
+std::string listed(const std::array<const char*, N>& words) {
+  std::string all;
+  for (const char* word : words)
+    all += (all.empty() ? "\"" : word == words.back() ? " or \"" : ", \"") + std::string(word) + '"';
+  return all;
+}
+
+/// The number of an element that has that id in a list; no_index where there is none.
+Index number_of_element(const std::map<std::string, Index>& known, const std::string& id) {
+  const auto found = known.find(id);
+  return found == known.end() ? no_index : found->second;
+}
+
+/// What no network can hold, as findings about the file.
+Findings faults_of(const AttributeNetwork& network, const std::string& file) {
+  Findings faults = validate(network);
+  for (Finding& finding : faults) {
+    finding.message = in_quotes(file) + ": " + finding.message;
+    if (finding.subjects.empty()) finding.subjects = {{SubjectKind::File, file, file, {}, {}}};
+    for (Subject& subject : finding.subjects) subject.file = file;
   }
-  return std::nullopt;
+  return faults;
 }
 
 // ---- Reading
@@ -53,40 +72,23 @@ class AttributeNetworkReader : ReportNotes {
 
   AttributeNetworkReadResult read(const Report& report) {
     subject_ = {SubjectKind::File, file_, file_, {}, {}};
-    const Report::Object* root = report_as<Report::Object>(&report);
-    const auto* format = root == nullptr ? nullptr : report_as<std::string>(report.find("format"));
+    const auto* format = report_as<std::string>(member_of(report, "format"));
     if (format == nullptr || *format != attribute_network_format) {
       refuse("E_SYNTAX", std::string("its format is not \"") + attribute_network_format + "\"");
     } else {
-      read_root(report, *root);
+      read_root(report);
     }
-    check();
+    for (Finding& fault : faults_of(network_, file_)) add(std::move(fault));
     Findings warnings = finish();
     return {std::move(network_), std::move(warnings)};
   }
 
  private:
-  // ---- Findings
-
   void refuse(const char* code, const std::string& what) {
-    const std::string who = subject_.kind == SubjectKind::File ? "" : name_of_subject() + ": ";
+    const bool is_file = subject_.kind == SubjectKind::File;
+    const std::string who = is_file ? "" : std::string(to_string(subject_.kind)) + " \"" + subject_.id + "\": ";
     add(make_error(Category::Malformed, code, in_quotes(file_) + ": " + who + what + ".", {subject_}));
   }
-
-  /// curve "c3"
-  std::string name_of_subject() const { return std::string(to_string(subject_.kind)) + " \"" + subject_.id + '"'; }
-
-  /// What no network can hold.
-  void check() {
-    for (Finding& finding : validate(network_)) {
-      finding.message = in_quotes(file_) + ": " + finding.message;
-      if (finding.subjects.empty()) finding.subjects = {{SubjectKind::File, file_, file_, {}, {}}};
-      for (Subject& subject : finding.subjects) subject.file = file_;
-      add(std::move(finding));
-    }
-  }
-
-  // ---- Members
 
   /// Calls `read` with each object of a list, which may be absent. The subject is the element with its id.
   template <typename Read>
@@ -116,15 +118,6 @@ class AttributeNetworkReader : ReportNotes {
     }
     subject_.id = *id;
     return *id;
-  }
-
-  static bool is_not_finite_word(const Report& report) {
-    const auto* word = report_as<std::string>(&report);
-    if (word == nullptr) return false;
-    std::string lower = *word;
-    std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
-    if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
-    return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
   /// A number, or NaN with an error.
@@ -170,14 +163,11 @@ class AttributeNetworkReader : ReportNotes {
     const Report* member = report.find(key);
     if (member == nullptr) return;
     const auto* word = report_as<std::string>(member);
-    if (const auto kind = word == nullptr ? std::nullopt : attribute_kind<Enum>(*word, words)) {
-      target = *kind;
+    if (const auto value = word == nullptr ? std::nullopt : value_of_word<Enum>(*word, words)) {
+      target = *value;
       return;
     }
-    std::string all;
-    for (const char* known : words)
-      all += (all.empty() ? "\"" : known == words.back() ? " or \"" : ", \"") + std::string(known) + '"';
-    refuse("E_SYNTAX", std::string("its ") + key + " is not " + all);
+    refuse("E_SYNTAX", std::string("its ") + key + " is not " + listed(words));
   }
 
   std::string read_text(const Report& report, const char* key) {
@@ -190,28 +180,23 @@ class AttributeNetworkReader : ReportNotes {
 
   /// The element that a member names; no_index with an error where it isn't there.
   Index find(const std::map<std::string, Index>& known, const std::string& id, const char* code, const char* kind) {
-    const auto found = known.find(id);
-    if (found != known.end()) return found->second;
-    refuse(code,
-           std::string("it refers to ") + kind + " \"" + id + "\", which isn't there: add it or correct the name");
-    return no_index;
+    const Index element = number_of_element(known, id);
+    if (element == no_index)
+      refuse(code,
+             std::string("it refers to ") + kind + " \"" + id + "\", which isn't there: add it or correct the name");
+    return element;
   }
 
   Index read_reference(const Report& report, const char* key, const std::map<std::string, Index>& known,
                        const char* code) {
     const auto* id = report_as<std::string>(report.find(key));
-    if (id != nullptr)
-      return find(known, *id, code,
-                  key == std::string_view("face")    ? "face"
-                  : key == std::string_view("curve") ? "curve"
-                                                     : "node");
+    const std::string_view name = key;
+    if (id != nullptr) return find(known, *id, code, name == "face" || name == "curve" ? key : "node");
     refuse("E_SYNTAX", std::string("its ") + key + " is not an id");
     return no_index;
   }
 
-  // ---- Elements
-
-  void read_root(const Report& report, const Report::Object&) {
+  void read_root(const Report& report) {
     note_unknown(report, "the network",
                  {"format", "name", "units", "tolerance", "nodes", "curves", "faces", "points", "slopes"});
     network_.name = read_text(report, "name");
@@ -261,31 +246,23 @@ class AttributeNetworkReader : ReportNotes {
     face.id = read_id(report);
     const auto* loop = report_as<Report::Array>(report.find("loop"));
     if (loop == nullptr) refuse("E_SYNTAX", "its loop is not a list of curves with signs");
-    if (loop != nullptr) {
-      for (const Report& side : *loop) read_side(side, face);
-      complete_loops_.push_back(face.loop.size() == loop->size());
-    } else {
-      complete_loops_.push_back(false);
-    }
+    for (std::size_t i = 0; loop != nullptr && i < loop->size(); ++i) read_side((*loop)[i], face);
+    complete_loops_.push_back(loop != nullptr && face.loop.size() == loop->size());
     read_word(report, "mode", mode_words, face.mode);
     face.fullness = read_optional(report, "fullness").value_or(face.fullness);
     read_word(report, "domain", domain_words, face.domain);
     const Subject face_subject = subject_;
-    each(report, "inner", SubjectKind::Face, [&](const Report& inner) {
+    each(report, "inner", SubjectKind::Face, [&](const Report& entry) {
       subject_ = face_subject;
-      read_inner(inner, face);
+      note_unknown(entry, "inner curves", {"curve", "profile", "radius"});
+      InnerCurve inner;
+      inner.curve = read_reference(entry, "curve", curves_, "E_NO_CURVE");
+      read_word(entry, "profile", inner_profile_words, inner.profile);
+      inner.radius = read_optional(entry, "radius");
+      if (inner.curve != no_index) face.inner.push_back(inner);
     });
     faces_.emplace(face.id, static_cast<Index>(network_.faces.size()));
     network_.faces.push_back(std::move(face));
-  }
-
-  void read_inner(const Report& report, AttributeFace& face) {
-    note_unknown(report, "inner curves", {"curve", "profile", "radius"});
-    InnerCurve inner;
-    inner.curve = read_reference(report, "curve", curves_, "E_NO_CURVE");
-    read_word(report, "profile", inner_profile_words, inner.profile);
-    inner.radius = read_optional(report, "radius");
-    if (inner.curve != no_index) face.inner.push_back(inner);
   }
 
   void read_point(const Report& report) {
@@ -341,92 +318,58 @@ class AttributeNetworkReader : ReportNotes {
 
 // ---- Writing
 
-class AttributeNetworkWriter {
- public:
-  explicit AttributeNetworkWriter(const AttributeNetwork& network) : network_(network) {}
+Report places_report(const std::vector<Vec3>& points) {
+  Report list = Report::array();
+  for (const Vec3& point : points) list.push(Report::list(point));
+  return list;
+}
 
-  Report write() const {
-    Report report;
-    report.set("format", attribute_network_format);
-    if (!network_.name.empty()) report.set("name", network_.name);
-    if (!network_.units.empty()) report.set("units", network_.units);
-    if (network_.tolerance) report.set("tolerance", *network_.tolerance);
-    const auto list = [&](const char* key, const auto& elements, auto to_report) {
-      Report entries = Report::array();
-      for (const auto& element : elements) entries.push((this->*to_report)(element));
-      report.set(key, std::move(entries));
-    };
-    list("nodes", network_.nodes, &AttributeNetworkWriter::node);
-    list("curves", network_.curves, &AttributeNetworkWriter::curve);
-    list("faces", network_.faces, &AttributeNetworkWriter::face);
-    list("points", network_.points, &AttributeNetworkWriter::point);
-    if (!network_.slopes.empty()) list("slopes", network_.slopes, &AttributeNetworkWriter::slope);
-    return report;
+Report report_of(const AttributeNetwork&, const AttributeNode& node) {
+  Report report;
+  return report.set("id", node.id).set("p", Report::list(node.point));
+}
+
+Report report_of(const AttributeNetwork& network, const AttributeCurve& curve) {
+  Report report;
+  report.set("id", curve.id);
+  if (curve.from != no_index) report.set("from", network.nodes[curve.from].id);
+  if (curve.to != no_index) report.set("to", network.nodes[curve.to].id);
+  if (!curve.control.empty()) report.set("ctrl", places_report(curve.control));
+  return report.set("join", word_of(curve.join, join_words));
+}
+
+Report report_of(const AttributeNetwork& network, const AttributeFace& face) {
+  Report report, loop = Report::array(), inner = Report::array();
+  for (const AttributeSide& side : face.loop) loop.push((side.reversed ? "-" : "+") + network.curves[side.curve].id);
+  for (const InnerCurve& curve : face.inner) {
+    Report entry;
+    entry.set("curve", network.curves[curve.curve].id).set("profile", word_of(curve.profile, inner_profile_words));
+    if (curve.radius) entry.set("radius", *curve.radius);
+    inner.push(std::move(entry));
   }
+  report.set("id", face.id).set("loop", std::move(loop)).set("mode", word_of(face.mode, mode_words));
+  report.set("fullness", face.fullness).set("domain", word_of(face.domain, domain_words));
+  if (!face.inner.empty()) report.set("inner", std::move(inner));
+  return report;
+}
 
- private:
-  static Report places(const std::vector<Vec3>& points) {
-    Report list = Report::array();
-    for (const Vec3& point : points) list.push(Report::list(point));
-    return list;
-  }
+Report report_of(const AttributeNetwork& network, const PointAttribute& point) {
+  Report report;
+  report.set("id", point.id).set("face", network.faces[point.face].id).set("p", Report::list(point.point));
+  if (point.fan) report.set("fan", croquis::report_of(*point.fan));
+  if (point.radius) report.set("radius", *point.radius);
+  report.set("profile", word_of(point.profile, point_profile_words));
+  if (point.normal) report.set("normal", Report::list(*point.normal));
+  return report;
+}
 
-  Report node(const AttributeNode& node) const {
-    Report report;
-    return report.set("id", node.id).set("p", Report::list(node.point));
-  }
-
-  Report curve(const AttributeCurve& curve) const {
-    Report report;
-    report.set("id", curve.id);
-    if (curve.from != no_index) report.set("from", network_.nodes[curve.from].id);
-    if (curve.to != no_index) report.set("to", network_.nodes[curve.to].id);
-    if (!curve.control.empty()) report.set("ctrl", places(curve.control));
-    return report.set("join", attribute_word(curve.join, join_words));
-  }
-
-  Report face(const AttributeFace& face) const {
-    Report report, loop = Report::array(), inner = Report::array();
-    for (const AttributeSide& side : face.loop) loop.push((side.reversed ? "-" : "+") + network_.curves[side.curve].id);
-    for (const InnerCurve& curve : face.inner) {
-      Report entry;
-      entry.set("curve", network_.curves[curve.curve].id)
-          .set("profile", attribute_word(curve.profile, inner_profile_words));
-      if (curve.radius) entry.set("radius", *curve.radius);
-      inner.push(std::move(entry));
-    }
-    report.set("id", face.id).set("loop", std::move(loop)).set("mode", attribute_word(face.mode, mode_words));
-    report.set("fullness", face.fullness).set("domain", attribute_word(face.domain, domain_words));
-    if (!face.inner.empty()) report.set("inner", std::move(inner));
-    return report;
-  }
-
-  Report point(const PointAttribute& point) const {
-    Report report;
-    report.set("id", point.id).set("face", network_.faces[point.face].id).set("p", Report::list(point.point));
-    if (point.fan) {
-      Report fan = Report::array();
-      fan.push(point.fan->corner);
-      fan.push(point.fan->a);
-      fan.push(point.fan->b);
-      report.set("fan", std::move(fan));
-    }
-    if (point.radius) report.set("radius", *point.radius);
-    report.set("profile", attribute_word(point.profile, point_profile_words));
-    if (point.normal) report.set("normal", Report::list(*point.normal));
-    return report;
-  }
-
-  Report slope(const SlopeAttribute& slope) const {
-    Report report;
-    report.set("curve", network_.curves[slope.curve].id);
-    if (slope.face != no_index) report.set("face", network_.faces[slope.face].id);
-    report.set("at", Report::list(slope.at)).set("normal", places(slope.normals));
-    return report.set("magnitude", slope.magnitude);
-  }
-
-  const AttributeNetwork& network_;
-};
+Report report_of(const AttributeNetwork& network, const SlopeAttribute& slope) {
+  Report report;
+  report.set("curve", network.curves[slope.curve].id);
+  if (slope.face != no_index) report.set("face", network.faces[slope.face].id);
+  report.set("at", Report::list(slope.at)).set("normal", places_report(slope.normals));
+  return report.set("magnitude", slope.magnitude);
+}
 
 }  // namespace
 
@@ -435,7 +378,22 @@ AttributeNetworkReadResult read_attribute_network(std::string_view bytes, const 
 }
 
 std::string write_attribute_network(const AttributeNetwork& network) {
-  return write_json(AttributeNetworkWriter(network).write());
+  Report report;
+  report.set("format", attribute_network_format);
+  if (!network.name.empty()) report.set("name", network.name);
+  if (!network.units.empty()) report.set("units", network.units);
+  if (network.tolerance) report.set("tolerance", *network.tolerance);
+  const auto list = [&](const char* key, const auto& elements) {
+    Report entries = Report::array();
+    for (const auto& element : elements) entries.push(report_of(network, element));
+    report.set(key, std::move(entries));
+  };
+  list("nodes", network.nodes);
+  list("curves", network.curves);
+  list("faces", network.faces);
+  list("points", network.points);
+  if (!network.slopes.empty()) list("slopes", network.slopes);
+  return write_json(report);
 }
 
 }  // namespace croquis

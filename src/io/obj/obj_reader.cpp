@@ -3,13 +3,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "croquis/base/limits.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "io/channel_values.h"
 #include "io/mesh_formats.h"
-#include "io/obj/obj_tags.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -29,61 +32,35 @@ const char* what_is_lost(std::string_view keyword) {
 }
 
 /// A table of OBJ's (`vt`, `vn`) and which of its entries each corner uses.
-class ObjCornerTable {
- public:
-  ObjCornerTable(const char* name, int least_width) : name_(name), width_(least_width) {}
-
-  std::size_t size() const { return values_.size() / 3; }
-  void add(const double (&values)[3], int given);
-
-  /// @param entry index into the table, or no_index
-  void corner_added(Index entry, std::size_t corners_before);
-
-  /// Some corner uses an entry.
-  bool used() const { return !entries_.empty(); }
-
-  /// Appends the channel: on vertices where every corner uses the entry of its vertex' own number, else on corners.
-  void finish(PolyMesh& mesh);
-
- private:
-  bool follows_vertices(const PolyMesh& mesh) const;
-
-  const char* name_;
-  int width_;
-  std::vector<double> values_;  // three per entry
-  std::vector<Index> entries_;  // per corner, empty until one is used
+struct ObjCornerTable {
+  const char* name;
+  int width;
+  std::vector<std::array<double, 3>> entries = {};
+  std::vector<Index> of_corners = {};  // empty until one is used
 };
 
-void ObjCornerTable::add(const double (&values)[3], int given) {
-  values_.insert(values_.end(), values, values + 3);
-  width_ = std::max(width_, given);
+/// @param entry place in the table, or no_index
+void add_corner(ObjCornerTable& table, Index entry, std::size_t corners_before) {
+  if (entry == no_index && table.of_corners.empty()) return;
+  table.of_corners.resize(corners_before, no_index);
+  table.of_corners.push_back(entry);
 }
 
-void ObjCornerTable::corner_added(Index entry, std::size_t corners_before) {
-  if (entry == no_index && entries_.empty()) return;
-  entries_.resize(corners_before, no_index);
-  entries_.push_back(entry);
-}
-
-bool ObjCornerTable::follows_vertices(const PolyMesh& mesh) const {
-  return size() == mesh.vertex_count() && entries_ == mesh.corners;
-}
-
-void ObjCornerTable::finish(PolyMesh& mesh) {
-  const bool on_vertices = follows_vertices(mesh);
-  if (size() == 0 || !(used() || on_vertices)) return;
-  const auto width = static_cast<std::size_t>(width_);
-  const std::size_t count = on_vertices ? size() : mesh.corners.size();
-  entries_.resize(mesh.corners.size(), no_index);
+/// The channel: on vertices where every corner uses the entry of its vertex' own number, else on corners.
+void add_channel(ObjCornerTable& table, PolyMesh& mesh) {
+  const bool on_vertices = table.entries.size() == mesh.vertex_count() && table.of_corners == mesh.corners;
+  if (table.entries.empty() || !(on_vertices || !table.of_corners.empty())) return;
+  const auto width = static_cast<std::size_t>(table.width);
+  const std::size_t count = on_vertices ? table.entries.size() : mesh.corners.size();
+  table.of_corners.resize(mesh.corners.size(), no_index);
   std::vector<double> values(count * width, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t entry = on_vertices ? i : entries_[i];
+    const std::size_t entry = on_vertices ? i : table.of_corners[i];
     if (entry == no_index) continue;
-    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(3 * entry), width,
-                values.begin() + static_cast<std::ptrdiff_t>(i * width));
+    std::copy_n(table.entries[entry].begin(), width, values.begin() + static_cast<std::ptrdiff_t>(i * width));
   }
   mesh.channels.push_back(
-      make_channel(name_, on_vertices ? Domain::Vertex : Domain::Corner, width_, std::move(values)));
+      make_channel(table.name, on_vertices ? Domain::Vertex : Domain::Corner, table.width, std::move(values)));
 }
 
 // Joins lines that end with a backslash; copies only those.
@@ -113,6 +90,80 @@ class StatementReader {
   std::string joined_;
 };
 
+/// The values of a tag statement.
+struct TagValues {
+  std::vector<Index> vertices;
+  std::vector<double> numbers;
+};
+
+/// "2/1/0"
+bool parse_counts(std::string_view word, std::array<std::size_t, 3>& counts) {
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    if (!parse_number(word.substr(0, slash), counts[i])) return false;
+    if (slash == word.size()) return i + 1 == counts.size();
+    word.remove_prefix(slash + 1);
+  }
+  return false;
+}
+
+/// Reads what a tag's counts announce. @return what is wrong; empty for nothing
+std::string read_tag_values(WordReader& words, TagValues& values) {
+  const std::string_view header = words.next();
+  std::array<std::size_t, 3> counts{};
+  if (!parse_counts(header, counts)) return in_quotes(header) + " is not the counts of a tag, such as 2/1/0";
+  for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+    for (std::size_t left = counts[kind]; left > 0; --left) {
+      const std::string_view word = words.next();
+      if (word.empty()) return "the tag has fewer values than it announces";
+      if (kind == 0 && !parse_number(word, values.vertices.emplace_back()))
+        return in_quotes(word) + " is not a vertex number";
+      if (kind == 1 && !parse_number(word, values.numbers.emplace_back()))
+        return in_quotes(word) + " is not a sharpness";
+    }
+  }
+  return words.next().empty() ? "" : "the tag has more values than it announces";
+}
+
+/// The sharpness of the i-th of `count` elements; OpenSubdiv looks up that of an edge by its first vertex.
+double sharpness_of(const TagValues& values, std::size_t i, std::size_t count) {
+  if (values.numbers.size() == 1) return values.numbers[0];
+  return values.numbers[values.numbers.size() == count ? i : 2 * i];
+}
+
+bool fits(const TagValues& values, std::size_t vertices_each) {
+  const std::size_t count = values.vertices.size() / vertices_each;
+  const std::size_t numbers = values.numbers.size();
+  return count > 0 && values.vertices.size() % vertices_each == 0 &&
+         (numbers == 1 || numbers == count || numbers == values.vertices.size());
+}
+
+void add_creases(const TagValues& values, MeshTags& tags) {
+  const std::size_t count = values.vertices.size() / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sharpness = sharpness_of(values, i, count);
+    tags.creases.push_back({{values.vertices[2 * i], values.vertices[2 * i + 1]},
+                            sharpness >= greatest_sharpness ? infinite_sharpness : sharpness});
+  }
+}
+
+/// A corner is a pin, whatever its sharpness.
+void add_pins(const TagValues& values, Place place, MeshTags& tags, ReadContext& context) {
+  for (std::size_t i = 0; i < values.vertices.size(); ++i) {
+    const Index vertex = values.vertices[i];
+    const double sharpness = sharpness_of(values, i, values.vertices.size());
+    const bool is_pin = sharpness > 0;
+    if (is_pin) tags.pins.push_back(vertex);
+    if (sharpness >= greatest_sharpness) continue;
+    std::string number;
+    append_number(number, sharpness);
+    context.warn("W_TAG_SHARPNESS",
+                 "vertex " + std::to_string(vertex) + " has the sharpness " + number +
+                     (is_pin ? ", but vertices are pinned or not: it is pinned" : " and is not pinned"),
+                 place, vertex_subject(vertex));
+  }
+}
+
 constexpr std::int64_t absent = std::numeric_limits<std::int64_t>::min();
 constexpr std::size_t no_face = std::numeric_limits<std::size_t>::max();
 
@@ -131,6 +182,61 @@ bool parse_reference(std::string_view word, Reference& reference) {
     word.remove_prefix(slash + 1);
   }
   return false;
+}
+
+// The number of values read, or -1 after an error.
+int read_numbers(WordReader& words, std::span<double> values, Place place, ReadContext& context) {
+  int count = 0;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (static_cast<std::size_t>(count) == values.size()) {
+      context.error("E_SYNTAX", "there are more than " + std::to_string(count) + " numbers", place);
+      return -1;
+    }
+    if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
+      context.error("E_SYNTAX", in_quotes(word) + " is not a number", place);
+      return -1;
+    }
+    ++count;
+  }
+  return count;
+}
+
+// False after an error.
+bool read_references(WordReader& words, Place place, ReadContext& context, std::vector<Reference>& references) {
+  references.clear();
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (parse_reference(word, references.emplace_back())) continue;
+    context.error("E_SYNTAX", in_quotes(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", place);
+    return false;
+  }
+  return true;
+}
+
+// Corners that an earlier refinement has made, with the lines that name them.
+using SettledCorners = std::vector<std::pair<Index, std::int64_t>>;
+
+void add_settled(const SettledCorners& settled, PolyMesh& mesh, ReadContext& context) {
+  if (settled.empty()) return;
+  std::vector<std::uint8_t> values(mesh.vertex_count(), 0);
+  for (const auto& [vertex, line] : settled) {
+    if (vertex < values.size()) {
+      values[vertex] = 1;
+    } else {
+      context.error("E_INDEX", "there is no vertex " + std::to_string(vertex), at_line(line));
+    }
+  }
+  mesh.channels.push_back(make_channel(settled_corner_channel, Domain::Vertex, 1, std::move(values)));
+}
+
+// @param colours four numbers per vertex, up to the last that has a colour
+void add_colours(std::vector<double> colours, int width, PolyMesh& mesh) {
+  if (colours.empty()) return;
+  colours.resize(4 * mesh.vertex_count(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> values;
+  values.reserve(mesh.vertex_count() * static_cast<std::size_t>(width));
+  for (auto first = colours.begin(); first != colours.end(); first += 4)
+    values.insert(values.end(), first, first + width);
+  mesh.channels.push_back(make_channel("color", Domain::Vertex, width, std::move(values)));
 }
 
 class ObjReader {
@@ -176,7 +282,7 @@ class ObjReader {
 
   void read_vertex(WordReader& words) {
     std::array<double, 7> values{};
-    const int count = read_numbers(words, values);
+    const int count = read_numbers(words, values, at_line(line_), context_);
     mesh_.positions.emplace_back(values[0], values[1], values[2]);  // even after an error, to keep the numbering
     if (count < 0) return;
     const std::size_t vertex = mesh_.vertex_count() - 1;
@@ -191,29 +297,13 @@ class ObjReader {
   }
 
   void read_table_entry(ObjCornerTable& table, WordReader& words, int least, const char* what) {
-    double values[3] = {};
-    const int count = read_numbers(words, values);
-    table.add(values, count);
+    std::array<double, 3> values{};
+    const int count = read_numbers(words, values, at_line(line_), context_);
+    table.entries.push_back(values);
+    table.width = std::max(table.width, count);
     if (count >= 0 && count < least) {
       context_.error("E_SYNTAX", std::string("a ") + what + " has too few numbers", at_line(line_));
     }
-  }
-
-  // The number of values read, or -1 after an error.
-  int read_numbers(WordReader& words, std::span<double> values) {
-    int count = 0;
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-      if (static_cast<std::size_t>(count) == values.size()) {
-        context_.error("E_SYNTAX", "there are more than " + std::to_string(count) + " numbers", at_line(line_));
-        return -1;
-      }
-      if (!parse_number(word, values[static_cast<std::size_t>(count)])) {
-        context_.error("E_SYNTAX", in_quotes(word) + " is not a number", at_line(line_));
-        return -1;
-      }
-      ++count;
-    }
-    return count;
   }
 
   void add_colour(const double* values, int width) {
@@ -225,15 +315,16 @@ class ObjReader {
 
   void read_face(WordReader& words) {
     face_ = faces_met_++;
-    if (!read_references(words)) return;
+    if (!read_references(words, at_line(line_), context_, references_)) return;
     const std::size_t corners_before = mesh_.corners.size();
     if (references_.size() < 3) context_.too_few_corners(face_, references_.size(), at_line(line_));
     vertices_.clear();
     for (std::size_t i = 0; i < references_.size(); ++i) {
       const Reference& r = references_[i];
       vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
-      uvs_.corner_added(r.uv == absent ? no_index : resolve(r.uv, uvs_.size(), 1), corners_before + i);
-      normals_.corner_added(r.normal == absent ? no_index : resolve(r.normal, normals_.size(), 2), corners_before + i);
+      add_corner(uvs_, r.uv == absent ? no_index : resolve(r.uv, uvs_.entries.size(), 1), corners_before + i);
+      add_corner(normals_, r.normal == absent ? no_index : resolve(r.normal, normals_.entries.size(), 2),
+                 corners_before + i);
     }
     const std::size_t face = mesh_.face_count();
     for (CategoryState* category : {&groups_, &objects_, &materials_}) category->face_added(face);
@@ -246,7 +337,7 @@ class ObjReader {
 
   void read_line(WordReader& words) {
     face_ = no_face;
-    if (!read_references(words)) return;
+    if (!read_references(words, at_line(line_), context_, references_)) return;
     if (references_.size() < 2) {
       return context_.error("E_SYNTAX", "a polyline needs at least 2 vertices", at_line(line_));
     }
@@ -254,19 +345,6 @@ class ObjReader {
     for (const Reference& r : references_) vertices_.push_back(resolve(r.vertex, mesh_.vertex_count(), 0));
     for (CategoryState* category : {&groups_, &objects_, &materials_}) category->line_added(mesh_.line_count());
     mesh_.add_line(vertices_);
-  }
-
-  bool read_references(WordReader& words) {
-    references_.clear();
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-      Reference reference;
-      if (!parse_reference(word, reference)) {
-        context_.error("E_SYNTAX", in_quotes(word) + " is not a vertex reference like 3, 3/1 or 3/1/2", at_line(line_));
-        return false;
-      }
-      references_.push_back(reference);
-    }
-    return true;
   }
 
   Index resolve(std::int64_t value, std::size_t count, int kind) {
@@ -289,9 +367,29 @@ class ObjReader {
     smoothing_named_ = true;
   }
 
+  /// `t crease` and `t corner` as OpenSubdiv's shape files have them: NAME, INTS/FLOATS/STRINGS, and so many values (`t
+  /// crease 2/1/0 A B SHARPNESS`, `t corner 1/1/0 V SHARPNESS`). Vertices count from 0, 10 and more is infinite. One
+  /// statement may tag several edges or vertices, with one sharpness for all or one for each. Whether such edges exist
+  /// is not checked. `t settled 1/0/0 V` is our own: the channel "settled_corner", by which a refinement that goes on
+  /// from a file knows corners that an earlier one has made; others pass over tags that they don't know.
   void read_tag(WordReader& words) {
-    const std::string_view other = tags_.read(words, line_, context_);
-    if (!other.empty()) note_passed_over("t " + std::string(other));
+    const auto refuse = [&](const std::string& what) { context_.error("E_SYNTAX", what, at_line(line_)); };
+    const std::string_view name = words.next();
+    const bool crease = name == "crease", corner = name == "corner";
+    if (name.empty()) return refuse("a tag has no name");
+    if (!crease && !corner && name != "settled") return note_passed_over("t " + std::string(name));
+    TagValues values;
+    if (const std::string wrong = read_tag_values(words, values); !wrong.empty()) return refuse(wrong);
+    if (!crease && !corner) {
+      for (const Index vertex : values.vertices) settled_.emplace_back(vertex, line_);
+    } else if (!fits(values, crease ? 2 : 1)) {
+      refuse(crease ? "a crease has two vertices for each edge, and one sharpness or one for each edge"
+                    : "a corner has vertices, and one sharpness or one for each of them");
+    } else if (crease) {
+      add_creases(values, mesh_.tags);
+    } else {
+      add_pins(values, at_line(line_), mesh_.tags, context_);
+    }
   }
 
   void pass_over(std::string_view keyword) {
@@ -310,7 +408,7 @@ class ObjReader {
 
   void report_index(std::int64_t line, std::size_t face, std::int64_t value, int kind) {
     static constexpr std::array names = {"vertex", "texture coordinate", "normal"};
-    const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+    const std::array counts = {mesh_.vertex_count(), uvs_.entries.size(), normals_.entries.size()};
     const auto k = static_cast<std::size_t>(kind);
     const std::string why = value == 0  ? "but OBJ counts from 1"
                             : value < 0 ? "but only " + std::to_string(counts[k]) + " stand before it"
@@ -321,17 +419,17 @@ class ObjReader {
   }
 
   void finish() {
-    const std::array counts = {mesh_.vertex_count(), uvs_.size(), normals_.size()};
+    const std::array counts = {mesh_.vertex_count(), uvs_.entries.size(), normals_.entries.size()};
     for (const Forward& f : forward_) {
       if (f.value > static_cast<std::int64_t>(counts[static_cast<std::size_t>(f.kind)])) {
         report_index(f.line, f.face, f.value, f.kind);
       }
     }
-    tags_.finish(mesh_, context_);
+    add_settled(settled_, mesh_, context_);
     if (context_.has_errors()) return;
-    finish_colours();
-    uvs_.finish(mesh_);
-    normals_.finish(mesh_);
+    add_colours(std::move(colours_), colour_width_, mesh_);
+    add_channel(uvs_, mesh_);
+    add_channel(normals_, mesh_);
     for (CategoryState* category : {&objects_, &groups_, &materials_}) category->finish(mesh_);
     if (!smoothing_.empty()) {
       mesh_.channels.push_back(make_channel("smoothing_group", Domain::Face, 1, std::move(smoothing_)));
@@ -345,18 +443,6 @@ class ObjReader {
     if (weights_ > 0) {
       context_.warn("W_IGNORED", "the weights of " + std::to_string(weights_) + " vertices were passed over", {});
     }
-  }
-
-  void finish_colours() {
-    if (colours_.empty()) return;
-    colours_.resize(4 * mesh_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
-    std::vector<double> values;
-    values.reserve(mesh_.vertex_count() * static_cast<std::size_t>(colour_width_));
-    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
-      const auto first = colours_.begin() + static_cast<std::ptrdiff_t>(4 * v);
-      values.insert(values.end(), first, first + colour_width_);
-    }
-    mesh_.channels.push_back(make_channel("color", Domain::Vertex, colour_width_, std::move(values)));
   }
 
   StatementReader statements_;
@@ -375,7 +461,7 @@ class ObjReader {
   std::vector<std::int32_t> smoothing_;
   std::int32_t smoothing_group_ = 0;
   bool smoothing_named_ = false;
-  ObjTagReader tags_;
+  SettledCorners settled_;
   std::size_t weights_ = 0;
   std::map<std::string, std::pair<std::size_t, std::int64_t>, std::less<>> passed_;  // count and first line
 };

@@ -8,7 +8,6 @@
 #include "io/channel_values.h"
 #include "io/mesh_formats.h"
 #include "io/mesh_writing.h"
-#include "io/obj/obj_tags.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -67,6 +66,28 @@ std::string statement_name(std::string name) {
   return name.empty() ? "default" : name;
 }
 
+/// The statements that read back as these tags; sets are left out.
+/// @param settled the channel "settled_corner" of vertices, or null
+void append_obj_tags(const MeshTags& tags, const AttributeChannel* settled, int precision, std::string& text) {
+  for (const Crease& crease : tags.creases) {
+    text += "t crease 2/1/0";
+    for (const Index vertex : crease.vertices) append_number(text += ' ', vertex);
+    const bool infinite = crease.sharpness >= greatest_sharpness;
+    append_number(text += ' ', infinite ? greatest_sharpness : crease.sharpness, precision);
+    text += '\n';
+  }
+  for (const Index vertex : tags.pins) {
+    append_number(text += "t corner 1/1/0 ", vertex);
+    append_number(text += ' ', greatest_sharpness);
+    text += '\n';
+  }
+  for (std::size_t v = 0; settled != nullptr && v < settled->size(); ++v) {
+    if (value_of(*settled, v) == 0) continue;
+    append_number(text += "t settled 1/0/0 ", v);
+    text += '\n';
+  }
+}
+
 class ObjWriter {
  public:
   ObjWriter(const PolyMesh& mesh, const MeshWriteOptions& options, Progress& progress)
@@ -100,7 +121,7 @@ class ObjWriter {
 
   void choose_channels() {
     colours_ = use("color", Domain::Vertex, 3, 4);
-    settled_ = use(settled_channel_name, Domain::Vertex, 1, 1);
+    settled_ = use(settled_corner_channel, Domain::Vertex, 1, 1);
     smoothing_ = use("smoothing_group", Domain::Face, 1, 1);
     const AttributeChannel* uv = use("uv", Domain::Corner, 2, 3);
     if (uv == nullptr) uv = use("uv", Domain::Vertex, 2, 3);

@@ -33,7 +33,7 @@ Report piece_report(const PictureCubic& piece) {
 
 Report stroke_report(const PerspectiveStroke& stroke) {
   Report report;
-  report.set("id", stroke.id).set("role", word_of(stroke.role));
+  report.set("id", stroke.id).set("role", word_of(stroke.role, role_words));
   if (stroke.group != StrokeGroup::Unknown) report.set("group", static_cast<int>(stroke.group));
   Report points = Report::array();
   if (stroke.straight) {
@@ -44,13 +44,7 @@ Report stroke_report(const PerspectiveStroke& stroke) {
   }
   report.set(stroke.straight ? "points" : "pieces", std::move(points));
   if (!stroke.colour.empty()) report.set("colour", stroke.colour);
-  if (!stroke.from.empty()) report.set("from", stroke.from);
-  if (!stroke.to.empty()) report.set("to", stroke.to);
-  if (stroke.link) report.set("link", true);
-  if (stroke.start_lock != EndLock::None) report.set("start_lock", word_of(stroke.start_lock));
-  if (stroke.end_lock != EndLock::None) report.set("end_lock", word_of(stroke.end_lock));
-  if (stroke.hidden) report.set("hidden", true);
-  if (stroke.weight != 1) report.set("weight", stroke.weight);
+  each_set_field(stroke, [&](const StrokeField& field, const auto& value) { report.set(field.name, value); });
   return report;
 }
 
@@ -144,7 +138,7 @@ class PerspectiveJsonReader : ReportNotes {
       if (at) drawing_.principal_point = Vec2((*at)[0], (*at)[1]);
       return at.has_value();
     });
-    maybe(report, "unit", "", "a text", [&](const Report* value) { return take_text(value, drawing_.unit); });
+    maybe(report, "unit", "", "a text", [&](const Report* value) { return take(value, drawing_.unit); });
     maybe(report, "shells", "", "a whole number above 0", [&](const Report* value) {
       const auto* shells = report_as<std::int64_t>(value);
       const bool good = shells != nullptr && *shells > 0 && *shells < 1'000'000;
@@ -161,24 +155,29 @@ class PerspectiveJsonReader : ReportNotes {
     return true;
   }
 
-  static bool take_text(const Report* value, std::string& target) {
+  /// Takes a value over if it is of the member's kind.
+  static bool take(const Report* value, std::string& target) {
     const auto* text = report_as<std::string>(value);
     if (text != nullptr) target = *text;
     return text != nullptr;
   }
-
-  static bool take_flag(const Report* value, bool& target) {
+  static bool take(const Report* value, bool& target) {
     const auto* flag = report_as<bool>(value);
     if (flag != nullptr) target = *flag;
     return flag != nullptr;
   }
+  static bool take(const Report* value, double& target) {
+    target = number_of(value).value_or(0);
+    return target > 0;
+  }
+  static bool take(const Report* value, EndLock& target) { return take_word(value, lock_words, target); }
 
-  template <typename T>
-  static bool take_word(const Report* value, std::optional<T> (*of_word)(std::string_view), T& target) {
+  template <typename Enum, std::size_t N>
+  static bool take_word(const Report* value, const std::array<const char*, N>& words, Enum& target) {
     const auto* word = report_as<std::string>(value);
-    const std::optional<T> understood = word == nullptr ? std::nullopt : of_word(*word);
-    if (understood) target = *understood;
-    return understood.has_value();
+    const std::optional<Enum> known = word == nullptr ? std::nullopt : value_of_word<Enum>(*word, words);
+    if (known) target = *known;
+    return known.has_value();
   }
 
   void read_strokes(const Report& report) {
@@ -195,29 +194,21 @@ class PerspectiveJsonReader : ReportNotes {
   }
 
   void read_stroke(const Report& report, const std::string& place, PerspectiveStroke& stroke) {
-    if (!take_text(member_of(report, "id"), stroke.id) || stroke.id.empty()) refuse(place + "id", "it is not a text");
+    if (!take(member_of(report, "id"), stroke.id) || stroke.id.empty()) refuse(place + "id", "it is not a text");
     maybe(report, "role", place, "\"edge\" or \"construction\"",
-          [&](const Report* value) { return take_word(value, role_of, stroke.role); });
+          [&](const Report* value) { return take_word(value, role_words, stroke.role); });
     maybe(report, "group", place, "a number from 0 to 5", [&](const Report* value) {
       const auto* group = report_as<std::int64_t>(value);
       const bool good = group != nullptr && *group >= 0 && *group <= 5;
       if (good) stroke.group = static_cast<StrokeGroup>(*group);
       return good;
     });
-    maybe(report, "colour", place, "a text", [&](const Report* value) { return take_text(value, stroke.colour); });
-    maybe(report, "from", place, "a text", [&](const Report* value) { return take_text(value, stroke.from); });
-    maybe(report, "to", place, "a text", [&](const Report* value) { return take_text(value, stroke.to); });
-    maybe(report, "link", place, "true or false", [&](const Report* value) { return take_flag(value, stroke.link); });
-    maybe(report, "hidden", place, "true or false",
-          [&](const Report* value) { return take_flag(value, stroke.hidden); });
-    maybe(report, "start_lock", place, "\"smooth\" or \"corner\"",
-          [&](const Report* value) { return take_word(value, lock_of, stroke.start_lock); });
-    maybe(report, "end_lock", place, "\"smooth\" or \"corner\"",
-          [&](const Report* value) { return take_word(value, lock_of, stroke.end_lock); });
-    maybe(report, "weight", place, "a number above 0", [&](const Report* value) {
-      stroke.weight = number_of(value).value_or(0);
-      return stroke.weight > 0;
-    });
+    maybe(report, "colour", place, "a text", [&](const Report* value) { return take(value, stroke.colour); });
+    for (const StrokeField& field : stroke_fields) {
+      maybe(report, field.name, place, field.expected, [&](const Report* value) {
+        return std::visit([&](auto member) { return take(value, stroke.*member); }, field.member);
+      });
+    }
     read_points(report, place, stroke);
   }
 

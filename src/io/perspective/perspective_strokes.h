@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "croquis/geometry/perspective_drawing.h"
+#include "io/json/report_reader.h"
 #include "io/svg/svg_shapes.h"
 
 /// What the files of perspective drawings share: their words and the shapes of strokes.
@@ -14,23 +16,44 @@ namespace croquis {
 inline constexpr const char* perspective_format = "croquis-perspective/1";
 inline constexpr const char* perspective_namespace = "urn:croquis:perspective:1";
 
-inline const char* word_of(StrokeRole role) { return role == StrokeRole::Edge ? "edge" : "construction"; }
+inline constexpr std::array<const char*, 2> role_words = {"construction", "edge"};      ///< of StrokeRole
+inline constexpr std::array<const char*, 3> lock_words = {"none", "smooth", "corner"};  ///< of EndLock
 
-inline const char* word_of(EndLock lock) {
-  return lock == EndLock::Smooth ? "smooth" : lock == EndLock::Corner ? "corner" : "none";
-}
+/// One of the members that strokes have beside their name, their shape, their role, their group and their colour.
+struct StrokeField {
+  const char* name;      ///< in JSON; attributes of SVG have '-' instead of '_'
+  const char* expected;  ///< what values of JSON have to be
+  std::variant<std::string PerspectiveStroke::*, bool PerspectiveStroke::*, EndLock PerspectiveStroke::*,
+               double PerspectiveStroke::*>
+      member;
+};
 
-inline std::optional<StrokeRole> role_of(std::string_view word) {
-  if (word == "edge") return StrokeRole::Edge;
-  if (word == "construction") return StrokeRole::Construction;
-  return std::nullopt;
-}
+/// All of them, in the order of files.
+inline constexpr std::array stroke_fields = {
+    StrokeField{"from", "a text", &PerspectiveStroke::from},
+    StrokeField{"to", "a text", &PerspectiveStroke::to},
+    StrokeField{"link", "true or false", &PerspectiveStroke::link},
+    StrokeField{"start_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::start_lock},
+    StrokeField{"end_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::end_lock},
+    StrokeField{"hidden", "true or false", &PerspectiveStroke::hidden},
+    StrokeField{"weight", "a number above 0", &PerspectiveStroke::weight}};
 
-inline std::optional<EndLock> lock_of(std::string_view word) {
-  if (word == "smooth") return EndLock::Smooth;
-  if (word == "corner") return EndLock::Corner;
-  if (word == "none") return EndLock::None;
-  return std::nullopt;
+/// Calls `write` with the value of each of a stroke's fields that isn't as usual: a text, true or a number.
+template <typename Write>
+void each_set_field(const PerspectiveStroke& stroke, const Write& write) {
+  const PerspectiveStroke usual;
+  for (const StrokeField& field : stroke_fields) {
+    std::visit(
+        [&](auto member) {
+          if (stroke.*member == usual.*member) return;
+          if constexpr (std::is_same_v<decltype(member), EndLock PerspectiveStroke::*>) {
+            write(field, word_of(stroke.*member, lock_words));
+          } else {
+            write(field, stroke.*member);
+          }
+        },
+        field.member);
+  }
 }
 
 PictureCubic straight_piece(const Vec2& from, const Vec2& to);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "croquis/base/text.h"
 #include "croquis/io/perspective_drawing_file.h"
 #include "io/perspective/perspective_strokes.h"
-#include "io/svg/svg_text.h"
+#include "io/text.h"
 
 namespace croquis {
 namespace {
@@ -19,17 +20,17 @@ std::string point_text(const Vector& point) {
 
 void append_root(std::string& text, const PerspectiveDrawing& drawing) {
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\"";
-  append_svg_attribute(text, "xmlns:cq", perspective_namespace);
-  append_svg_attribute(text, "cq:profile", perspective_format);
-  append_svg_attribute(text, "width", number_text(drawing.image_size.x()));
-  append_svg_attribute(text, "height", number_text(drawing.image_size.y()));
-  append_svg_attribute(text, "viewBox", point_text(drawing.origin) + " " + point_text(drawing.image_size));
+  append_xml_attribute(text, "xmlns:cq", perspective_namespace);
+  append_xml_attribute(text, "cq:profile", perspective_format);
+  append_xml_attribute(text, "width", number_text(drawing.image_size.x()));
+  append_xml_attribute(text, "height", number_text(drawing.image_size.y()));
+  append_xml_attribute(text, "viewBox", point_text(drawing.origin) + " " + point_text(drawing.image_size));
   text += ">\n";
 }
 
 void append_fact(std::string& text, std::string_view name, std::string_view value) {
   text.append("<cq:").append(name);
-  append_svg_attribute(text, "value", value);
+  append_xml_attribute(text, "value", value);
   text += "/>\n";
 }
 
@@ -37,20 +38,20 @@ void append_metadata(std::string& text, const PerspectiveDrawing& drawing) {
   text += "<metadata>\n";
   if (drawing.known_point) {
     text += "<cq:known";
-    append_svg_attribute(text, "at", point_text(drawing.known_point->at));
-    append_svg_attribute(text, "point", point_text(drawing.known_point->point));
+    append_xml_attribute(text, "at", point_text(drawing.known_point->at));
+    append_xml_attribute(text, "point", point_text(drawing.known_point->point));
     text += "/>\n";
   }
   for (const KnownLength& known : drawing.known_lengths) {
     text += "<cq:length";
-    append_svg_attribute(text, "stroke", known.stroke);
-    append_svg_attribute(text, "value", number_text(known.length));
+    append_xml_attribute(text, "stroke", known.stroke);
+    append_xml_attribute(text, "value", number_text(known.length));
     text += "/>\n";
   }
   if (drawing.field_of_view) append_fact(text, "fov_x_deg", number_text(degrees_of(*drawing.field_of_view)));
   if (drawing.principal_point) {
     text += "<cq:principal";
-    append_svg_attribute(text, "at", point_text(*drawing.principal_point));
+    append_xml_attribute(text, "at", point_text(*drawing.principal_point));
     text += "/>\n";
   }
   if (!drawing.unit.empty()) append_fact(text, "unit", drawing.unit);
@@ -72,18 +73,22 @@ void append_path_data(std::string& text, const PerspectiveStroke& stroke) {
 
 void append_stroke(std::string& text, const PerspectiveStroke& stroke) {
   text += "<path";
-  append_svg_attribute(text, "id", stroke.id);
+  append_xml_attribute(text, "id", stroke.id);
   const bool unknown = stroke.group == StrokeGroup::Unknown;
-  append_svg_attribute(text, "cq:group", unknown ? "unknown" : std::to_string(static_cast<int>(stroke.group)));
-  if (!stroke.from.empty()) append_svg_attribute(text, "cq:from", stroke.from);
-  if (!stroke.to.empty()) append_svg_attribute(text, "cq:to", stroke.to);
-  if (stroke.link) append_svg_attribute(text, "cq:link", "true");
-  if (stroke.start_lock != EndLock::None) append_svg_attribute(text, "cq:start-lock", word_of(stroke.start_lock));
-  if (stroke.end_lock != EndLock::None) append_svg_attribute(text, "cq:end-lock", word_of(stroke.end_lock));
-  if (stroke.hidden) append_svg_attribute(text, "cq:hidden", "true");
-  if (stroke.weight != 1) append_svg_attribute(text, "cq:weight", number_text(stroke.weight));
-  append_svg_attribute(text, "stroke", stroke.colour.empty() ? colour_of_group(stroke.group) : stroke.colour);
-  if (stroke.hidden) append_svg_attribute(text, "stroke-dasharray", "2 3");
+  append_xml_attribute(text, "cq:group", unknown ? "unknown" : std::to_string(static_cast<int>(stroke.group)));
+  each_set_field(stroke, [&]<typename T>(const StrokeField& field, const T& value) {
+    std::string name = std::string("cq:") + field.name;
+    std::ranges::replace(name, '_', '-');
+    if constexpr (std::is_same_v<T, bool>) {
+      append_xml_attribute(text, name, "true");
+    } else if constexpr (std::is_same_v<T, double>) {
+      append_xml_attribute(text, name, number_text(value));
+    } else {
+      append_xml_attribute(text, name, value);
+    }
+  });
+  append_xml_attribute(text, "stroke", stroke.colour.empty() ? colour_of_group(stroke.group) : stroke.colour);
+  if (stroke.hidden) append_xml_attribute(text, "stroke-dasharray", "2 3");
   append_path_data(text, stroke);
   text += "/>\n";
 }
@@ -94,7 +99,7 @@ void append_strokes(std::string& text, const PerspectiveDrawing& drawing) {
     const StrokeRole role = drawing.strokes[i].role;
     if (i == 0 || drawing.strokes[i - 1].role != role) {
       text += i == 0 ? "" : "</g>\n";
-      text.append("<g cq:role=\"").append(word_of(role)).append("\" fill=\"none\"");
+      text.append("<g cq:role=\"").append(word_of(role, role_words)).append("\" fill=\"none\"");
       text += role == StrokeRole::Edge ? " stroke-width=\"2\" stroke-linecap=\"round\">\n"
                                        : " stroke-width=\"0.8\" stroke-dasharray=\"6 4\">\n";
     }

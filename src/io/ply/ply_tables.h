@@ -34,7 +34,7 @@ struct PlyElement {
 
 enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 
-/// Size of a range scan's grid, as `obj_info num_cols` and `obj_info num_rows` tell it; 0 where they don't.
+/// Size of a range scan's grid, as `obj_info num_cols` and `obj_info num_rows` say; 0 where they don't.
 struct PlyGrid {
   std::size_t columns = 0, rows = 0;
 };
@@ -109,14 +109,6 @@ inline constexpr std::array ply_part_names = {
     PlyPartNames{"uv", 2, {"s", "t"}},
     PlyPartNames{"uv", 2, {"u", "v"}},
     PlyPartNames{"uv", 2, {"texture_u", "texture_v"}}};
-
-/// Turns the scalar columns that are left in the table (those with values) into channels of the mesh, joining the parts
-/// of normals, colours, texture coordinates and name_0 name_1 …
-void add_scalar_channels(PlyTable& table, Domain domain, PolyMesh& mesh);
-
-/// Turns face lists with the same number of values for each corner into corner channels; an empty list means "none"
-/// for floating types. Other lists are passed over with a warning.
-void add_corner_channels(PlyTable& faces, PolyMesh& mesh, ReadContext& context);
 
 /// Triangulates a range view: PLY's element `range_grid`, one row for each place of the scanner's grid, line by line,
 /// with a list of the one vertex seen there, or of none (Stanford 3D Scanning Repository).

@@ -33,10 +33,8 @@ std::string blob_hash(std::string_view bytes) {
 
 void store_blob(const Database& database, std::string_view hash, std::string_view bytes, const Progress& progress) {
   if (is_stored(database, hash)) return;
-  Statement(database, "INSERT INTO blobs(hash, length) VALUES(?, ?)")
-      .bind_blob(0, hash)
-      .bind(1, static_cast<std::int64_t>(bytes.size()))
-      .run();
+  run_statement(database, "INSERT INTO blobs(hash, length) VALUES(?, ?)", Bytes{hash},
+                static_cast<std::int64_t>(bytes.size()));
   Statement insert(database, "INSERT INTO chunks(hash, number, bytes) VALUES(?, ?, ?)");
   for (std::size_t begin = 0; begin < bytes.size(); begin += chunk_size) {
     progress.check();
@@ -62,9 +60,10 @@ std::string load_blob(const Database& database, std::string_view hash, const Pro
 
 void remove_unused_blobs(Database& database) {
   std::string used = "(SELECT hash FROM sources";
-  if (has_backdrops(database)) used += " UNION SELECT hash FROM backdrops";
-  if (has_kept_results(database)) used += " UNION SELECT hash FROM kept_results";
-  if (has_past(database)) used += " UNION SELECT source FROM past_nodes UNION SELECT picture FROM past_nodes";
+  if (has_tables(database, TableGroup::Backdrops)) used += " UNION SELECT hash FROM backdrops";
+  if (has_tables(database, TableGroup::Results)) used += " UNION SELECT hash FROM kept_results";
+  if (has_tables(database, TableGroup::Past))
+    used += " UNION SELECT source FROM past_nodes UNION SELECT picture FROM past_nodes";
   used += ")";
   for (const char* table : {"chunks", "blobs"})
     database.execute(std::string("DELETE FROM ") + table + " WHERE hash NOT IN " + used);

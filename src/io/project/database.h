@@ -122,4 +122,23 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
 };
 
+/// Bytes among the values of a statement, which aren't text.
+struct Bytes {
+  std::string_view bytes;
+};
+
+inline void bind_value(Statement& statement, int index, std::int64_t value) { statement.bind(index, value); }
+inline void bind_value(Statement& statement, int index, std::string_view text) { statement.bind_text(index, text); }
+inline void bind_value(Statement& statement, int index, Bytes value) { statement.bind_blob(index, value.bytes); }
+
+/// Runs one statement without results.
+/// @param values of its parameters, in their order: whole numbers, texts and Bytes
+template <typename... Values>
+void run_statement(const Database& database, std::string_view sql, const Values&... values) {
+  Statement statement(database, sql);
+  int index = 0;
+  (bind_value(statement, index++, values), ...);
+  statement.run();
+}
+
 }  // namespace croquis

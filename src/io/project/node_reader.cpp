@@ -62,95 +62,54 @@ std::optional<ParameterValue> read_parameter_value(const Statement& row) {
   return number ? std::optional<ParameterValue>(*number) : std::nullopt;
 }
 
-void read_parameter(const Statement& row, RowsById& rows, DamageLog& damage) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
+void lose(const Node& node, const std::string& loss, DamageLog& damage) {
+  damage.lose(title_of(node) + loss, {node_subject(node)});
+}
+
+void read_parameter(const Statement& row, NodeRow& owner, DamageLog& damage) {
   const std::string name(row.text(1));
   if (auto value = read_parameter_value(row)) {
-    owner->second.node.parameters.insert_or_assign(name, *std::move(value));
+    owner.node.parameters.insert_or_assign(name, *std::move(value));
     return;
   }
-  damage.lose(title_of(owner->second.node) + " has lost its parameter '" + printable(name) + "'",
-              {node_subject(owner->second.node), {SubjectKind::Parameter, printable(name), {}, {}, {}}});
+  damage.lose(title_of(owner.node) + " has lost its parameter '" + printable(name) + "'",
+              {node_subject(owner.node), {SubjectKind::Parameter, printable(name), {}, {}, {}}});
 }
 
-void read_link(const Statement& row, RowsById& rows) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
-  std::string input(row.text(1));
-  owner->second.node.inputs.insert_or_assign(std::move(input),
-                                             Link{from_row_id(row.integer(2)), std::string(row.text(3))});
+/// The numbers of a value in a column. @throws BadBytes
+template <typename T>
+T numbers_in(const Statement& row, int column) {
+  return from_number_bytes<T>(row.is_blob(column) ? row.blob(column) : std::string_view());
 }
 
-void read_transform(const Statement& row, RowsById& rows, DamageLog& damage) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
-  Node& node = owner->second.node;
+/// Reads what a row holds of a node, or loses it.
+template <typename Read>
+void read_or_lose(const Node& node, const char* what, DamageLog& damage, const Read& read) {
   try {
-    node.transform = transform_of(row.is_blob(1) ? row.blob(1) : std::string_view());
+    read();
   } catch (const BadBytes&) {
-    damage.lose(title_of(node) + " has lost its transform", {node_subject(node)});
+    lose(node, std::string(" has lost ") + what, damage);
   }
 }
 
-void read_off(const Statement& row, RowsById& rows) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner != rows.end()) owner->second.node.enabled = false;
+void read_backdrop(const Statement& row, NodeRow& owner) {
+  if (!is_bit(row.integer(3))) throw BadBytes("a flag is neither 0 nor 1");
+  Backdrop backdrop = numbers_in<Backdrop>(row, 2);
+  backdrop.visible = row.integer(3) == 1;
+  owner.backdrop = backdrop;
+  owner.picture_hash = row.blob(1);
 }
 
-void read_backdrop(const Statement& row, RowsById& rows, DamageLog& damage) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
-  const Node& node = owner->second.node;
-  try {
-    if (!is_bit(row.integer(3))) throw BadBytes("a flag is neither 0 nor 1");
-    Backdrop backdrop = backdrop_of(row.is_blob(2) ? row.blob(2) : std::string_view());
-    backdrop.visible = row.integer(3) == 1;
-    owner->second.backdrop = backdrop;
-    owner->second.picture_hash = row.blob(1);
-  } catch (const BadBytes&) {
-    damage.lose(title_of(node) + " has lost the picture behind it", {node_subject(node)});
-  }
-}
-
-void read_object(const Statement& row, RowsById& rows, DamageLog& damage) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
-  Node& node = owner->second.node;
-  Placement placement;
-  const std::string_view bytes = row.blob(1);
-  const bool whole = row.is_blob(1) && bytes.size() == placement_bytes(placement).size() && row.is_text(2);
-  if (whole) {
-    ByteReader reader(bytes);
-    for (Vec3* numbers : {&placement.position, &placement.rotation, &placement.scale}) {
-      for (double& number : *numbers) number = reader.number<double>();
-    }
-  }
-  if (!whole || !is_valid(placement)) {
-    damage.lose(title_of(node) + " has lost its place", {node_subject(node)});
-    return;
-  }
-  node.placement = placement;
-  node.group = row.text(2);
+void read_object(const Statement& row, NodeRow& owner) {
+  const auto placement = numbers_in<Placement>(row, 1);
+  if (!row.is_text(2) || !is_valid(placement)) throw BadBytes("it is no place");
+  owner.node.placement = placement;
+  owner.node.group = row.text(2);
 }
 
 std::optional<ValueType> kind_of(std::string_view word, std::span<const ValueType> types) {
   const auto found = std::find_if(types.begin(), types.end(), [&](ValueType type) { return word == to_string(type); });
   return found == types.end() ? std::nullopt : std::optional(*found);
-}
-
-void read_source(const Statement& row, std::span<const ValueType> types, RowsById& rows, DamageLog& damage) {
-  const auto owner = rows.find(from_row_id(row.integer(0)));
-  if (owner == rows.end()) return;
-  const auto kind = kind_of(row.text(1), types);
-  if (!kind) {
-    damage.lose(title_of(owner->second.node) + " is of a kind that this version doesn't know and is left out",
-                {node_subject(owner->second.node)});
-    rows.erase(owner);
-    return;
-  }
-  owner->second.kind = kind;
-  owner->second.hash = row.blob(2);
 }
 
 std::vector<NodeRow> in_order(RowsById rows) {
@@ -171,29 +130,53 @@ std::string title_of(const Node& node) {
 Subject node_subject(const Node& node) { return {SubjectKind::Node, std::to_string(node.id), {}, {}, {}}; }
 
 std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types,
-                                    const LaterTables& later, DamageLog& damage) {
+                                    const std::set<TableGroup>& tables, DamageLog& damage) {
   RowsById rows;
+  // Rows that begin with the id of a node; those of no node are passed over.
+  const auto each_of_node = [&](const char* sql, const char* what, const auto& use) {
+    each_row(database, sql, what, damage, [&](const Statement& row) {
+      const auto owner = rows.find(from_row_id(row.integer(0)));
+      if (owner != rows.end()) use(row, owner->second);
+    });
+  };
   each_row(database, "SELECT id, position, name, operation, version, visible FROM nodes", "objects and steps", damage,
            [&](const Statement& row) { read_node(row, rows, damage); });
-  each_row(database, "SELECT node, name, type, value FROM parameters", "parameters", damage,
-           [&](const Statement& row) { read_parameter(row, rows, damage); });
-  each_row(database, "SELECT node, input, source, output FROM links", "links between steps", damage,
-           [&](const Statement& row) { read_link(row, rows); });
-  each_row(database, "SELECT node, kind, hash FROM sources", "drawings and meshes", damage,
-           [&](const Statement& row) { read_source(row, types, rows, damage); });
-  if (later.placements) {
-    each_row(database, "SELECT node, numbers FROM transforms", "places in space", damage,
-             [&](const Statement& row) { read_transform(row, rows, damage); });
-    each_row(database, "SELECT node FROM nodes_off", "steps that are off", damage,
-             [&](const Statement& row) { read_off(row, rows); });
+  each_of_node("SELECT node, name, type, value FROM parameters", "parameters",
+               [&](const Statement& row, NodeRow& owner) { read_parameter(row, owner, damage); });
+  each_of_node("SELECT node, input, source, output FROM links", "links between steps",
+               [](const Statement& row, NodeRow& owner) {
+                 std::string input(row.text(1));
+                 owner.node.inputs.insert_or_assign(std::move(input),
+                                                    Link{from_row_id(row.integer(2)), std::string(row.text(3))});
+               });
+  each_of_node("SELECT node, kind, hash FROM sources", "drawings and meshes",
+               [&](const Statement& row, NodeRow& owner) {
+                 owner.kind = kind_of(row.text(1), types);
+                 if (owner.kind) {
+                   owner.hash = row.blob(2);
+                 } else {
+                   lose(owner.node, " is of a kind that this version doesn't know and is left out", damage);
+                   rows.erase(NodeId{owner.node.id});
+                 }
+               });
+  if (tables.contains(TableGroup::Placements)) {
+    each_of_node("SELECT node, numbers FROM transforms", "places in space", [&](const Statement& row, NodeRow& owner) {
+      read_or_lose(owner.node, "its transform", damage, [&] { owner.node.transform = numbers_in<Affine3>(row, 1); });
+    });
+    each_of_node("SELECT node FROM nodes_off", "steps that are off",
+                 [](const Statement&, NodeRow& owner) { owner.node.enabled = false; });
   }
-  if (later.backdrops) {
-    each_row(database, "SELECT node, hash, numbers, visible FROM backdrops", "pictures behind drawings", damage,
-             [&](const Statement& row) { read_backdrop(row, rows, damage); });
+  if (tables.contains(TableGroup::Backdrops)) {
+    each_of_node("SELECT node, hash, numbers, visible FROM backdrops", "pictures behind drawings",
+                 [&](const Statement& row, NodeRow& owner) {
+                   read_or_lose(owner.node, "the picture behind it", damage, [&] { read_backdrop(row, owner); });
+                 });
   }
-  if (later.objects) {
-    each_row(database, "SELECT node, numbers, object_group FROM objects", "objects", damage,
-             [&](const Statement& row) { read_object(row, rows, damage); });
+  if (tables.contains(TableGroup::Objects)) {
+    each_of_node("SELECT node, numbers, object_group FROM objects", "objects",
+                 [&](const Statement& row, NodeRow& owner) {
+                   read_or_lose(owner.node, "its place", damage, [&] { read_object(row, owner); });
+                 });
   }
   return in_order(std::move(rows));
 }

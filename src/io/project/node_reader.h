@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -8,23 +9,15 @@
 #include "io/project/damage_log.h"
 #include "io/project/database.h"
 #include "io/project/node_rows.h"
+#include "io/project/schema.h"
 
 namespace croquis {
-
-/// Which tables are there that not every project has.
-struct LaterTables {
-  bool placements = false;    ///< of the second schema
-  bool backdrops = false;     ///< of the third
-  bool objects = false;       ///< of the fourth
-  bool kept_results = false;  ///< of the fourth
-  bool past = false;          ///< of working databases
-};
 
 /// The rows of all nodes that can be read, in the document's order, without their sources' values and their backdrops'
 /// pictures. What can't be read is noted, and nodes are left out whose sources are of none of these types.
 /// @throws Cancelled
 std::vector<NodeRow> read_node_rows(const Database& database, std::span<const ValueType> types,
-                                    const LaterTables& later, DamageLog& damage);
+                                    const std::set<TableGroup>& tables, DamageLog& damage);
 
 /// How findings call a node.
 std::string title_of(const Node& node);

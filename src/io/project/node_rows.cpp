@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "croquis/document/byte_stream.h"
-
 namespace croquis {
 namespace {
 
@@ -50,15 +48,15 @@ std::string row_bytes(const NodeRow& row) {
   writer.text(row.kind ? to_string(*row.kind) : "");
   writer.text(row.hash);
   // After everything else and only where they are, so that the bytes of all other rows stay as they were.
-  if (!row.node.transform.is_identity()) writer.text(transform_bytes(row.node.transform));
+  if (!row.node.transform.is_identity()) writer.text(number_bytes(row.node.transform));
   if (!row.node.enabled) writer.flag(false);
   if (row.backdrop) {
     writer.text(row.picture_hash);
-    writer.text(backdrop_bytes(*row.backdrop));
+    writer.text(number_bytes(*row.backdrop));
     writer.flag(row.backdrop->visible);
   }
   if (has_object_row(row.node)) {
-    writer.text(placement_bytes(row.node.placement));
+    writer.text(number_bytes(row.node.placement));
     writer.text(row.node.group);
   }
   return writer.take();
@@ -116,73 +114,40 @@ NodeRow past_row_of(std::string_view bytes) {
   }
   row.kind = value_type_of(reader.text());
   row.hash = reader.text();
-  if (has_transform) row.node.transform = transform_of(reader.text());
+  if (has_transform) row.node.transform = from_number_bytes<Affine3>(reader.text());
   if (is_off) row.node.enabled = reader.flag();
   if (has_backdrop) {
     row.picture_hash = reader.text();
-    row.backdrop = backdrop_of(reader.text());
+    row.backdrop = from_number_bytes<Backdrop>(reader.text());
     row.backdrop->visible = reader.flag();
   }
   if (has_object) {
-    row.node.placement = placement_of(reader.text());
+    row.node.placement = from_number_bytes<Placement>(reader.text());
     row.node.group = reader.text();
   }
   reader.finish();
   return row;
 }
 
-std::string transform_bytes(const Affine3& transform) {
-  ByteWriter writer;
+std::vector<double*> numbers_of(Affine3& transform) {
+  std::vector<double*> numbers;
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) writer.number(transform.linear(i, k));
+    for (int k = 0; k < 3; ++k) numbers.push_back(&transform.linear(i, k));
   }
-  for (const double coordinate : transform.offset) writer.number(coordinate);
-  return writer.take();
+  for (double& coordinate : transform.offset) numbers.push_back(&coordinate);
+  return numbers;
 }
 
-std::string placement_bytes(const Placement& placement) {
-  ByteWriter writer;
-  for (const Vec3& numbers : {placement.position, placement.rotation, placement.scale}) {
-    for (const double number : numbers) writer.number(number);
+std::vector<double*> numbers_of(Placement& placement) {
+  std::vector<double*> numbers;
+  for (Vec3* vector : {&placement.position, &placement.rotation, &placement.scale}) {
+    for (double& number : *vector) numbers.push_back(&number);
   }
-  return writer.take();
+  return numbers;
 }
 
-Placement placement_of(std::string_view bytes) {
-  ByteReader reader(bytes);
-  Placement placement;
-  for (Vec3* numbers : {&placement.position, &placement.rotation, &placement.scale}) {
-    for (double& number : *numbers) number = reader.number<double>();
-  }
-  reader.finish();
-  return placement;
-}
-
-Affine3 transform_of(std::string_view bytes) {
-  ByteReader reader(bytes);
-  Affine3 transform;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) transform.linear(i, k) = reader.number<double>();
-  }
-  for (double& coordinate : transform.offset) coordinate = reader.number<double>();
-  reader.finish();
-  return transform;
-}
-
-std::string backdrop_bytes(const Backdrop& backdrop) {
-  ByteWriter writer;
-  for (const double number : {backdrop.centre.x(), backdrop.centre.y(), backdrop.scale, backdrop.opacity})
-    writer.number(number);
-  return writer.take();
-}
-
-Backdrop backdrop_of(std::string_view bytes) {
-  ByteReader reader(bytes);
-  Backdrop backdrop;
-  for (double* number : {&backdrop.centre.x(), &backdrop.centre.y(), &backdrop.scale, &backdrop.opacity})
-    *number = reader.number<double>();
-  reader.finish();
-  return backdrop;
+std::vector<double*> numbers_of(Backdrop& backdrop) {
+  return {&backdrop.centre.x(), &backdrop.centre.y(), &backdrop.scale, &backdrop.opacity};
 }
 
 }  // namespace croquis

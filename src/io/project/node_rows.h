@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "croquis/document/backdrop.h"
+#include "croquis/document/byte_stream.h"
 #include "croquis/document/document.h"
 
 /// What the tables hold of one node, between a Document and the rows of a database.
@@ -31,20 +33,32 @@ std::string past_row_bytes(const NodeRow& row);
 /// The row of such bytes. @throws BadBytes
 NodeRow past_row_of(std::string_view bytes);
 
-/// A transform's 12 numbers (the rows of the linear part, then the offset) as 96 bytes.
-std::string transform_bytes(const Affine3& transform);
-Affine3 transform_of(std::string_view bytes);  ///< @throws BadBytes
+/// The numbers that files hold of a transform (12: the rows of the linear part, then the offset), of a placement (9:
+/// position, rotation, scale) and of a backdrop (4: its centre's x and y, scale, opacity), in their order.
+std::vector<double*> numbers_of(Affine3& transform);
+std::vector<double*> numbers_of(Placement& placement);
+std::vector<double*> numbers_of(Backdrop& backdrop);
 
-/// A placement's 9 numbers (position, rotation, scale) as 72 bytes.
-std::string placement_bytes(const Placement& placement);
-Placement placement_of(std::string_view bytes);  ///< @throws BadBytes
+/// These numbers as 8 bytes each.
+template <typename T>
+std::string number_bytes(T value) {
+  ByteWriter writer;
+  for (const double* number : numbers_of(value)) writer.number(*number);
+  return writer.take();
+}
+
+/// @throws BadBytes
+template <typename T>
+T from_number_bytes(std::string_view bytes) {
+  T value;
+  ByteReader reader(bytes);
+  for (double* number : numbers_of(value)) *number = reader.number<double>();
+  reader.finish();
+  return value;
+}
 
 /// Whether the node has a row in the table of objects.
 inline bool has_object_row(const Node& node) { return !(node.placement == Placement()) || !node.group.empty(); }
-
-/// Where a backdrop lies and how strong it is (its centre's x and y, scale, opacity) as 32 bytes.
-std::string backdrop_bytes(const Backdrop& backdrop);
-Backdrop backdrop_of(std::string_view bytes);  ///< @throws BadBytes
 
 /// Identifiers are unsigned in a document and signed in SQLite: the same bits.
 inline std::int64_t to_row_id(NodeId id) { return static_cast<std::int64_t>(id); }

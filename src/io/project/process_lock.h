@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/descriptor.h"
+#include "io/system_files.h"
 
 namespace croquis {
 

@@ -41,17 +41,30 @@ class ProjectReader {
     check_tables();
     check_version();
     check_pages();
-    std::vector<NodeRow> rows = read_node_rows(database_, types_, later_tables(), damage_);
+    std::set<TableGroup> tables;
+    try {
+      tables = tables_in(database_);
+    } catch (const DatabaseError&) {
+      // check_tables has reported it
+    }
+    std::vector<NodeRow> rows = read_node_rows(database_, types_, tables, damage_);
     const auto next_id = parse_or<NodeId>(meta("next_id"), 0);
     check_sum(rows, next_id);
     read_sources(rows);
     read_pictures(rows);
     drop_dead_links(rows);
     ProjectFile project;
-    project.document = assemble(std::move(rows), next_id);
-    read_results(project.kept.results);
-    read_past(project.kept.past);
-    project.thumbnail_png = thumbnail();
+    if (rows.empty() && !damage_.empty()) damage_.refuse();
+    std::vector<std::shared_ptr<const Node>> nodes;
+    for (NodeRow& row : rows) nodes.push_back(std::make_shared<const Node>(std::move(row.node)));
+    project.document = Document::of(std::move(nodes), next_id);
+    if (tables.contains(TableGroup::Results)) read_results(project.kept.results);
+    if (tables.contains(TableGroup::Past)) read_past(project.kept.past);
+    try {
+      project.thumbnail_png = read_thumbnail(database_);
+    } catch (const DatabaseError&) {
+      damage_.lose("its thumbnail can't be read");
+    }
     progress_.report(1);
     project.warnings = std::move(warnings_);
     const Findings losses = damage_.warnings();
@@ -65,15 +78,6 @@ class ProjectReader {
       return read_meta(database_, key);
     } catch (const DatabaseError&) {
       return "";  // check_pages and the nodes report it
-    }
-  }
-
-  LaterTables later_tables() {
-    try {
-      return {has_later_tables(database_), has_backdrops(database_), has_objects(database_),
-              has_kept_results(database_), has_past(database_)};
-    } catch (const DatabaseError&) {
-      return {};  // check_tables reports it
     }
   }
 
@@ -175,7 +179,6 @@ class ProjectReader {
 
   // Without one of them a step shows nothing until it is mended.
   void read_results(KeptResults& kept) {
-    if (!later_tables().kept_results) return;
     const char* sql = "SELECT node, role, kind, hash FROM kept_results";
     each_row(database_, sql, "kept_results", damage_, [&](const Statement& row) {
       const auto kind = std::ranges::find_if(types_, [&](ValueType type) { return row.text(2) == to_string(type); });
@@ -189,7 +192,6 @@ class ProjectReader {
 
   // All or nothing: undo can't leave out what is between two documents.
   void read_past(std::vector<PastDocument>& past) {
-    if (!later_tables().past) return;
     bool whole = true;
     std::map<std::string, std::shared_ptr<const Node>> nodes;
     each_row(database_, "SELECT hash, bytes FROM past_nodes", "past_nodes", damage_,
@@ -258,23 +260,6 @@ class ProjectReader {
                      {node_subject(row.node)});
         return true;
       });
-    }
-  }
-
-  Document assemble(std::vector<NodeRow> rows, NodeId next_id) {
-    if (rows.empty() && !damage_.empty()) damage_.refuse();
-    std::vector<std::shared_ptr<const Node>> nodes;
-    nodes.reserve(rows.size());
-    for (NodeRow& row : rows) nodes.push_back(std::make_shared<const Node>(std::move(row.node)));
-    return Document::of(std::move(nodes), next_id);
-  }
-
-  std::vector<std::uint8_t> thumbnail() {
-    try {
-      return read_thumbnail(database_);
-    } catch (const DatabaseError&) {
-      damage_.lose("its thumbnail can't be read");
-      return {};
     }
   }
 

@@ -43,51 +43,29 @@ void insert_parameters(const Database& database, const Node& node) {
   }
 }
 
-void insert_links(const Database& database, const Node& node) {
-  Statement statement(database, "INSERT INTO links(node, input, source, output) VALUES(?, ?, ?, ?)");
-  for (const auto& [input, link] : node.inputs) {
-    statement.bind(0, to_row_id(node.id)).bind_text(1, input);
-    statement.bind(2, to_row_id(link.node)).bind_text(3, link.output).run();
-  }
-}
-
 /// What few nodes have lies in tables of its own, which other projects don't have: these stay what they were.
-void insert_transform(Database& database, const Node& node) {
+void insert_rare_parts(Database& database, const NodeRow& row) {
+  const Node& node = row.node;
+  const std::int64_t id = to_row_id(node.id);
   if (!node.transform.is_identity()) {
-    require_later_tables(database);
-    const std::string numbers = transform_bytes(node.transform);
-    Statement(database, "INSERT INTO transforms(node, numbers) VALUES(?, ?)")
-        .bind(0, to_row_id(node.id))
-        .bind_blob(1, numbers)
-        .run();
+    require_tables(database, TableGroup::Placements);
+    run_statement(database, "INSERT INTO transforms(node, numbers) VALUES(?, ?)", id,
+                  Bytes{number_bytes(node.transform)});
   }
   if (!node.enabled) {
-    require_later_tables(database);
-    Statement(database, "INSERT INTO nodes_off(node) VALUES(?)").bind(0, to_row_id(node.id)).run();
+    require_tables(database, TableGroup::Placements);
+    run_statement(database, "INSERT INTO nodes_off(node) VALUES(?)", id);
   }
-}
-
-void insert_object(Database& database, const Node& node) {
-  if (!has_object_row(node)) return;
-  require_objects(database);
-  const std::string numbers = placement_bytes(node.placement);
-  Statement(database, "INSERT INTO objects(node, numbers, object_group) VALUES(?, ?, ?)")
-      .bind(0, to_row_id(node.id))
-      .bind_blob(1, numbers)
-      .bind_text(2, node.group)
-      .run();
-}
-
-void insert_backdrop(Database& database, const NodeRow& row) {
-  if (!row.backdrop) return;
-  require_backdrops(database);
-  const std::string numbers = backdrop_bytes(*row.backdrop);
-  Statement(database, "INSERT INTO backdrops(node, hash, numbers, visible) VALUES(?, ?, ?, ?)")
-      .bind(0, to_row_id(row.node.id))
-      .bind_blob(1, row.picture_hash)
-      .bind_blob(2, numbers)
-      .bind(3, std::int64_t{row.backdrop->visible})
-      .run();
+  if (has_object_row(node)) {
+    require_tables(database, TableGroup::Objects);
+    run_statement(database, "INSERT INTO objects(node, numbers, object_group) VALUES(?, ?, ?)", id,
+                  Bytes{number_bytes(node.placement)}, node.group);
+  }
+  if (row.backdrop) {
+    require_tables(database, TableGroup::Backdrops);
+    run_statement(database, "INSERT INTO backdrops(node, hash, numbers, visible) VALUES(?, ?, ?, ?)", id,
+                  Bytes{row.picture_hash}, Bytes{number_bytes(*row.backdrop)}, std::int64_t{row.backdrop->visible});
+  }
 }
 
 }  // namespace
@@ -157,61 +135,51 @@ std::string ProjectWriter::hash_of(const Value& value, State& next, const Progre
 
 void ProjectWriter::insert(const NodeRow& row) {
   const Node& node = row.node;
-  Statement(database_, "INSERT INTO nodes(id, position, name, operation, version, visible) VALUES(?, ?, ?, ?, ?, ?)")
-      .bind(0, to_row_id(node.id))
-      .bind(1, row.position)
-      .bind_text(2, node.name)
-      .bind_text(3, node.operation)
-      .bind(4, std::int64_t{node.version})
-      .bind(5, std::int64_t{node.visible})
-      .run();
+  const std::int64_t id = to_row_id(node.id);
+  run_statement(database_,
+                "INSERT INTO nodes(id, position, name, operation, version, visible) VALUES(?, ?, ?, ?, ?, ?)", id,
+                row.position, node.name, node.operation, std::int64_t{node.version}, std::int64_t{node.visible});
   insert_parameters(database_, node);
-  insert_links(database_, node);
-  insert_transform(database_, node);
-  insert_object(database_, node);
-  insert_backdrop(database_, row);
+  for (const auto& [input, link] : node.inputs) {
+    run_statement(database_, "INSERT INTO links(node, input, source, output) VALUES(?, ?, ?, ?)", id, input,
+                  to_row_id(link.node), link.output);
+  }
+  insert_rare_parts(database_, row);
   if (!row.kind) return;
-  Statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)")
-      .bind(0, to_row_id(node.id))
-      .bind_text(1, to_string(*row.kind))
-      .bind_blob(2, row.hash)
-      .run();
+  run_statement(database_, "INSERT INTO sources(node, kind, hash) VALUES(?, ?, ?)", id, to_string(*row.kind),
+                Bytes{row.hash});
 }
 
 void ProjectWriter::remove(NodeId id) {
-  for (const char* sql : {"DELETE FROM nodes WHERE id=?", "DELETE FROM parameters WHERE node=?",
-                          "DELETE FROM links WHERE node=?", "DELETE FROM sources WHERE node=?"}) {
-    Statement(database_, sql).bind(0, to_row_id(id)).run();
-  }
-  if (has_backdrops(database_)) Statement(database_, "DELETE FROM backdrops WHERE node=?").bind(0, to_row_id(id)).run();
-  if (has_objects(database_)) Statement(database_, "DELETE FROM objects WHERE node=?").bind(0, to_row_id(id)).run();
-  if (!has_later_tables(database_)) return;
-  for (const char* sql : {"DELETE FROM transforms WHERE node=?", "DELETE FROM nodes_off WHERE node=?"}) {
-    Statement(database_, sql).bind(0, to_row_id(id)).run();
+  const auto delete_from = [&](const std::string& table) {
+    run_statement(database_, "DELETE FROM " + table + " WHERE " + (table == "nodes" ? "id" : "node") + "=?",
+                  to_row_id(id));
+  };
+  for (const char* table : {"nodes", "parameters", "links", "sources"}) delete_from(table);
+  for (const auto& [group, table] :
+       {std::pair(TableGroup::Backdrops, "backdrops"), std::pair(TableGroup::Objects, "objects"),
+        std::pair(TableGroup::Placements, "transforms"), std::pair(TableGroup::Placements, "nodes_off")}) {
+    if (has_tables(database_, group)) delete_from(table);
   }
 }
 
 void ProjectWriter::write_results(State& next, const Progress& progress) {
-  if (has_kept_results(database_)) database_.execute("DELETE FROM kept_results");
+  if (has_tables(database_, TableGroup::Results)) database_.execute("DELETE FROM kept_results");
   for (const auto& [id, kept] : next.kept.results) {
     for (const auto& [role, value] : {std::pair("result", &kept.result), std::pair("edited", &kept.edited)}) {
       if (!value->has_content()) continue;
-      require_kept_results(database_);
+      require_tables(database_, TableGroup::Results);
       const std::string hash = hash_of(*value, next, progress);
-      Statement(database_, "INSERT INTO kept_results(node, role, kind, hash) VALUES(?, ?, ?, ?)")
-          .bind(0, to_row_id(id))
-          .bind_text(1, role)
-          .bind_text(2, to_string(value->type()))
-          .bind_blob(3, hash)
-          .run();
+      run_statement(database_, "INSERT INTO kept_results(node, role, kind, hash) VALUES(?, ?, ?, ?)", to_row_id(id),
+                    role, to_string(value->type()), Bytes{hash});
     }
   }
 }
 
 /// Each state of a node is stored once, however many past documents have it.
 void ProjectWriter::write_past(State& next, const Progress& progress) {
-  if (next.kept.past.empty() && !has_past(database_)) return;
-  require_past(database_);
+  if (next.kept.past.empty() && !has_tables(database_, TableGroup::Past)) return;
+  require_tables(database_, TableGroup::Past);
   database_.execute("DELETE FROM past");
   std::set<std::string> used;
   for (std::size_t step = 0; step < next.kept.past.size(); ++step) {
@@ -226,40 +194,29 @@ void ProjectWriter::write_past(State& next, const Progress& progress) {
       } else if (hash.empty()) {
         const std::string bytes = past_row_bytes(row);
         hash = blob_hash(bytes);
-        Statement(database_, "INSERT OR IGNORE INTO past_nodes(hash, bytes, source, picture) VALUES(?, ?, ?, ?)")
-            .bind_blob(0, hash)
-            .bind_blob(1, bytes)
-            .bind_blob(2, row.hash)
-            .bind_blob(3, row.picture_hash)
-            .run();
+        run_statement(database_, "INSERT OR IGNORE INTO past_nodes(hash, bytes, source, picture) VALUES(?, ?, ?, ?)",
+                      Bytes{hash}, Bytes{bytes}, Bytes{row.hash}, Bytes{row.picture_hash});
       }
       used.insert(hash);
       hashes += hash;
     }
-    Statement(database_, "INSERT INTO past(number, label, next_id, nodes) VALUES(?, ?, ?, ?)")
-        .bind(0, static_cast<std::int64_t>(step))
-        .bind_text(1, past.label)
-        .bind(2, to_row_id(past.document.next_id()))
-        .bind_blob(3, hashes)
-        .run();
+    run_statement(database_, "INSERT INTO past(number, label, next_id, nodes) VALUES(?, ?, ?, ?)",
+                  static_cast<std::int64_t>(step), past.label, to_row_id(past.document.next_id()), Bytes{hashes});
   }
   for (const auto& [node, hash] : confirmed_.past) {
     if (used.contains(hash)) continue;
-    Statement(database_, "DELETE FROM past_nodes WHERE hash=?").bind_blob(0, hash).run();
+    run_statement(database_, "DELETE FROM past_nodes WHERE hash=?", Bytes{hash});
   }
 }
 
 void ProjectWriter::write_meta(const std::string& key, const std::string& value) {
-  Statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)")
-      .bind_text(0, key)
-      .bind_text(1, value)
-      .run();
+  run_statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)", key, value);
 }
 
 void ProjectWriter::write_thumbnail(const std::vector<std::uint8_t>& png) {
   if (png.empty()) return;
-  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
-  Statement(database_, "INSERT OR REPLACE INTO thumbnail(id, png) VALUES(1, ?)").bind_blob(0, bytes).run();
+  const Bytes bytes{{reinterpret_cast<const char*>(png.data()), png.size()}};
+  run_statement(database_, "INSERT OR REPLACE INTO thumbnail(id, png) VALUES(1, ?)", bytes);
 }
 
 void ProjectWriter::write_checksum(const State& state) {
@@ -268,7 +225,7 @@ void ProjectWriter::write_checksum(const State& state) {
   const NodeId next_id = state.document.next_id();
   write_meta("next_id", std::to_string(next_id));
   const std::string checksum = nodes_checksum(rows, next_id);
-  Statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES('checksum', ?)").bind_blob(0, checksum).run();
+  run_statement(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES('checksum', ?)", Bytes{checksum});
 }
 
 std::string nodes_checksum(const std::vector<const NodeRow*>& rows, NodeId next_id) {

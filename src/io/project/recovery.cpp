@@ -11,13 +11,13 @@
 #include <unistd.h>
 
 #include "croquis/base/error.h"
-#include "io/file_errors.h"
 #include "io/project/damage_log.h"
 #include "io/project/database.h"
 #include "io/project/process_lock.h"
 #include "io/project/project_reader.h"
 #include "io/project/project_writer.h"
 #include "io/project/schema.h"
+#include "io/system_files.h"
 
 namespace croquis {
 namespace {

@@ -5,6 +5,37 @@
 #include <string>
 
 namespace croquis {
+namespace {
+
+struct LaterTables {
+  const char* sql;
+  const char* names;  ///< in quotes
+  int count;
+  std::int64_t version;  ///< the schema that has them first; 0 for what working databases alone have
+};
+
+/// By TableGroup.
+constexpr std::array<LaterTables, 5> later_tables = {
+    {{"CREATE TABLE transforms(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL);"
+      "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY)",
+      "'transforms', 'nodes_off'", 2, 2},
+     {"CREATE TABLE backdrops(node INTEGER PRIMARY KEY, hash BLOB NOT NULL, numbers BLOB NOT NULL,"
+      " visible INTEGER NOT NULL)",
+      "'backdrops'", 1, 3},
+     {"CREATE TABLE objects(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL, object_group TEXT NOT NULL)", "'objects'",
+      1, 4},
+     {"CREATE TABLE kept_results(node INTEGER NOT NULL, role TEXT NOT NULL, kind TEXT NOT NULL, hash BLOB NOT NULL,"
+      " PRIMARY KEY(node, role)) WITHOUT ROWID",
+      "'kept_results'", 1, 4},
+     {"CREATE TABLE past(number INTEGER PRIMARY KEY, label TEXT NOT NULL, next_id INTEGER NOT NULL,"
+      " nodes BLOB NOT NULL);"
+      "CREATE TABLE past_nodes(hash BLOB PRIMARY KEY, bytes BLOB NOT NULL, source BLOB NOT NULL,"
+      " picture BLOB NOT NULL) WITHOUT ROWID",
+      "'past', 'past_nodes'", 2, 0}}};
+
+constexpr std::int64_t first_version = 1;
+
+}  // namespace
 
 // Columns without a declared type keep each value exactly as it was given.
 void create_schema(Database& database) {
@@ -22,75 +53,36 @@ void create_schema(Database& database) {
       " PRIMARY KEY(hash, number));"
       "CREATE TABLE thumbnail(id INTEGER PRIMARY KEY, png BLOB NOT NULL);"
       "PRAGMA application_id=" +
-      std::to_string(project_application_id) + ";PRAGMA user_version=" + std::to_string(first_schema_version));
+      std::to_string(project_application_id) + ";PRAGMA user_version=" + std::to_string(first_version));
 }
 
-namespace {
-
-/// Readers of the first schema can follow every later one so far.
-void raise_version(Database& database, std::int64_t version) {
-  const std::int64_t now = std::max(version, database.integer("PRAGMA user_version"));
-  database.execute("INSERT OR REPLACE INTO meta(key, value) VALUES('readable_since', '" +
-                   std::to_string(first_schema_version) + "');PRAGMA user_version=" + std::to_string(now));
-}
-
-// Counted here: projects of unknown origin are read without any function of SQL.
-int count_tables(const Database& database, const std::string& names) {
-  Statement statement(database, "SELECT name FROM sqlite_schema WHERE type='table' AND name IN (" + names + ")");
+bool has_tables(const Database& database, TableGroup group) {
+  const LaterTables& tables = later_tables[static_cast<std::size_t>(group)];
+  // Counted here: projects of unknown origin are read without any function of SQL.
+  Statement statement(
+      database, std::string("SELECT name FROM sqlite_schema WHERE type='table' AND name IN (") + tables.names + ")");
   int found = 0;
   while (statement.step()) ++found;
-  return found;
+  return found == tables.count;
 }
 
-}  // namespace
-
-void require_later_tables(Database& database) {
-  if (has_later_tables(database)) return;
-  database.execute(
-      "CREATE TABLE transforms(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL);"
-      "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY)");
-  raise_version(database, second_schema_version);
+void require_tables(Database& database, TableGroup group) {
+  if (has_tables(database, group)) return;
+  const LaterTables& tables = later_tables[static_cast<std::size_t>(group)];
+  database.execute(tables.sql);
+  if (tables.version == 0) return;
+  // Readers of the first schema can follow every later one so far.
+  const std::int64_t now = std::max(tables.version, database.integer("PRAGMA user_version"));
+  database.execute("INSERT OR REPLACE INTO meta(key, value) VALUES('readable_since', '" +
+                   std::to_string(first_version) + "');PRAGMA user_version=" + std::to_string(now));
 }
 
-bool has_later_tables(const Database& database) { return count_tables(database, "'transforms', 'nodes_off'") == 2; }
-
-void require_backdrops(Database& database) {
-  if (has_backdrops(database)) return;
-  database.execute(
-      "CREATE TABLE backdrops(node INTEGER PRIMARY KEY, hash BLOB NOT NULL, numbers BLOB NOT NULL,"
-      " visible INTEGER NOT NULL)");
-  raise_version(database, third_schema_version);
+std::set<TableGroup> tables_in(const Database& database) {
+  std::set<TableGroup> there;
+  for (std::size_t i = 0; i < later_tables.size(); ++i) {
+    if (has_tables(database, static_cast<TableGroup>(i))) there.insert(static_cast<TableGroup>(i));
+  }
+  return there;
 }
-
-bool has_backdrops(const Database& database) { return count_tables(database, "'backdrops'") == 1; }
-
-void require_objects(Database& database) {
-  if (has_objects(database)) return;
-  database.execute("CREATE TABLE objects(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL, object_group TEXT NOT NULL)");
-  raise_version(database, project_schema_version);
-}
-
-bool has_objects(const Database& database) { return count_tables(database, "'objects'") == 1; }
-
-void require_kept_results(Database& database) {
-  if (has_kept_results(database)) return;
-  database.execute(
-      "CREATE TABLE kept_results(node INTEGER NOT NULL, role TEXT NOT NULL, kind TEXT NOT NULL, hash BLOB NOT NULL,"
-      " PRIMARY KEY(node, role)) WITHOUT ROWID");
-  raise_version(database, project_schema_version);
-}
-
-void require_past(Database& database) {
-  if (has_past(database)) return;
-  database.execute(
-      "CREATE TABLE past(number INTEGER PRIMARY KEY, label TEXT NOT NULL, next_id INTEGER NOT NULL,"
-      " nodes BLOB NOT NULL);"
-      "CREATE TABLE past_nodes(hash BLOB PRIMARY KEY, bytes BLOB NOT NULL, source BLOB NOT NULL,"
-      " picture BLOB NOT NULL) WITHOUT ROWID");
-}
-
-bool has_past(const Database& database) { return count_tables(database, "'past', 'past_nodes'") == 2; }
-
-bool has_kept_results(const Database& database) { return count_tables(database, "'kept_results'") == 1; }
 
 }  // namespace croquis

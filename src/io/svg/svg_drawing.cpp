@@ -8,8 +8,8 @@
 
 #include "croquis/base/limits.h"
 #include "croquis/geometry/drawing.h"
+#include "io/svg/svg_file.h"
 #include "io/svg/svg_shapes.h"
-#include "io/svg/svg_walk.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -97,185 +97,162 @@ bool is_upright_box(const SvgSubpath& outline) {
   return (from - outline.start).cwiseAbs().minCoeff() <= slack;
 }
 
-class SketchReader : public SvgVisitor {
- public:
-  SketchReader(std::string_view bytes, const std::string& file, Progress& progress)
-      : walk_(bytes, file, progress), progress_(progress) {
-    result_.drawing.file = file;
-  }
+/// How a shape is painted.
+enum class Paint { Line, Filling, Nothing };
 
-  DrawingReadResult read() {
-    const pugi::xml_node root = walk_.parse();
-    read_plane(root);
-    walk_.visit(root, *this);
-    if (shapes_.empty() && !walk_.limit_reached()) {
-      walk_.findings().file_error(
-          Category::Malformed, "E_NO_STROKES",
-          "The drawing has no visible path, line or other shape: there is nothing to make a solid of");
-    }
-    leave_out_background();
-    walk_.findings().stop_on_errors();
-    flatten();
-    result_.warnings = walk_.findings().take();
-    return std::move(result_);
-  }
-
-  void enter(const pugi::xml_node& group) override {
-    const std::string object = group.attribute("data-object").value();
-    if (!object.empty()) result_.drawing.object_data[object].merge(data_attributes(group));
-  }
-
-  void add(SvgShownShape shape) override {
-    Stroke stroke;
-    stroke.line = shape.line;
-    stroke.object = object();
-    stroke.data = data_attributes(shape.node);
-    const Paint paint = has_line()                                   ? Paint::Line
-                        : walk_.inherited_property("fill") == "none" ? Paint::Nothing
-                                                                     : Paint::Filling;
-    std::size_t number = 0;
-    for (SvgSubpath& subpath : shape.subpaths) {
-      if (subpath.segments.empty() && !subpath.closed) continue;  // a moveto alone draws nothing
-      ++number;
-      stroke.id = number == 1 ? shape.id : walk_.unique_name(shape.id + '/' + std::to_string(number), *stroke.line);
-      if (!add(stroke, std::move(subpath), shape.map, paint)) return;
-    }
-  }
-
- private:
-  void read_plane(const pugi::xml_node& root) {
-    const pugi::xml_attribute attribute = root.attribute("data-plane");
-    if (!attribute) return;
-    SvgScanner scanner(attribute.value());
-    DrawingPlane plane;
-    bool complete = true;
-    for (Vec3* vector : {&plane.origin, &plane.u, &plane.v}) {
-      for (double& value : *vector) {
-        scanner.skip_separators();
-        const std::optional<double> number = scanner.number();
-        complete = complete && number;
-        value = number.value_or(0);
-      }
-    }
-    scanner.skip_blanks();
-    if (complete && scanner.at_end() && plane.is_orthonormal()) {
-      result_.drawing.plane = plane;
-      return;
-    }
-    walk_.refuse(
-        "E_SYNTAX",
-        "The drawing's data-plane is no plane: it takes nine numbers, an origin and two directions of length 1 "
-        "at a right angle",
-        walk_.line_of(root));
-  }
-
-  /// The object that a shape belongs to: its own or that of the nearest group with one.
-  std::string object() const {
-    const std::vector<pugi::xml_node>& path = walk_.path();
+/// Of a file in which nothing says so, a shape is filled.
+Paint paint_of(const SvgFile& file, const std::vector<pugi::xml_node>& path) {
+  const auto inherited = [&](std::string_view name) {
     for (auto node = path.rbegin(); node != path.rend(); ++node) {
-      const std::string name = node->attribute("data-object").value();
-      if (!name.empty()) return name;
+      std::string value = file.property(*node, name);
+      if (!value.empty() && value != "inherit") return value;
     }
-    return {};
+    return std::string();
+  };
+  const std::string stroke = inherited("stroke");
+  if (!stroke.empty() && stroke != "none" && stroke != "transparent") return Paint::Line;
+  return inherited("fill") == "none" ? Paint::Nothing : Paint::Filling;
+}
+
+/// The object that a shape belongs to: its own or that of the nearest group with one.
+std::string object_of(const std::vector<pugi::xml_node>& path) {
+  for (auto node = path.rbegin(); node != path.rend(); ++node) {
+    const std::string name = node->attribute("data-object").value();
+    if (!name.empty()) return name;
   }
+  return {};
+}
 
-  /// How a shape is painted.
-  enum class Paint { Line, Filling, Nothing };
-
-  bool has_line() const {
-    const std::string stroke = walk_.inherited_property("stroke");
-    return !stroke.empty() && stroke != "none" && stroke != "transparent";
+DrawingPlane read_plane(SvgFile& file) {
+  const pugi::xml_attribute attribute = file.root().attribute("data-plane");
+  if (!attribute) return {};
+  SvgScanner scanner(attribute.value());
+  DrawingPlane plane;
+  const auto numbers = scanner.numbers<9>();
+  scanner.skip_blanks();
+  if (numbers) {
+    const Eigen::Map<const Eigen::Matrix3d> columns(numbers->data());
+    plane = {columns.col(0), columns.col(1), columns.col(2)};
+    if (scanner.at_end() && plane.is_orthonormal()) return plane;
   }
+  file.refuse("E_SYNTAX",
+              "The drawing's data-plane is no plane: it takes nine numbers, an origin and two directions of length 1 "
+              "at a right angle",
+              file.line_of(file.root()));
+}
 
-  /// False when the rest of the element must not be read.
-  bool add(const Stroke& stroke, SvgSubpath subpath, const Eigen::Affine2d& map, Paint paint) {
-    if (subpath.segments.empty()) {
-      walk_.findings().stroke_warning("W_TINY", "Stroke " + in_quotes(stroke.id) + " is a single point and was ignored",
-                                      stroke.id, *stroke.line);
-      return true;
-    }
-    transform(subpath, Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)) * map);
-    if (!is_usable(subpath)) {
-      walk_.findings().stroke_error(Category::Malformed, "E_NOT_FINITE",
-                                    "Stroke " + in_quotes(stroke.id) + " on line " + std::to_string(*stroke.line) +
-                                        " has a coordinate that " + unusable_words,
-                                    stroke.id, *stroke.line);
-      return true;
-    }
-    std::size_t bytes = stroke.id.size() + stroke.object.size();
-    for (const auto& [name, value] : stroke.data) bytes += name.size() + value.size();
-    if (!walk_.count_pieces(subpath.segments.size(), bytes, *stroke.line)) return false;
-    shapes_.push_back({stroke, std::move(subpath), paint});
+/// A subpath that becomes a stroke.
+struct SvgShape {
+  Stroke stroke;  ///< without samples yet
+  SvgSubpath outline;
+  Paint paint = Paint::Line;
+};
+
+/// False when the rest of the element must not be read.
+bool add_subpath(SvgFile& file, const Eigen::Affine2d& map, SvgShape shape, std::vector<SvgShape>& shapes) {
+  const Stroke& stroke = shape.stroke;
+  if (shape.outline.segments.empty()) {
+    file.add(make_warning(Category::Malformed, "W_TINY",
+                          "Stroke " + in_quotes(stroke.id) + " is a single point and was ignored"),
+             stroke.line, stroke.id);
     return true;
   }
-
-  /// Drawing programs lay a rectangle without a line under the drawing: as large as the page, or around everything
-  /// else.
-  void leave_out_background() {
-    Eigen::AlignedBox2d page = walk_.page();
-    if (!page.isEmpty())
-      page = Eigen::AlignedBox2d(Vec2(page.min().x(), -page.max().y()), Vec2(page.max().x(), -page.min().y()));
-    // Where nothing has a line, files simply don't say how to paint it.
-    const bool lines_are_painted =
-        std::any_of(shapes_.begin(), shapes_.end(), [](const SvgShape& shape) { return shape.paint == Paint::Line; });
-    const auto is_background = [&](std::size_t i) {
-      const Paint paint = shapes_[i].paint;
-      if (paint == Paint::Line || !is_upright_box(shapes_[i].outline)) return false;
-      if (paint == Paint::Nothing && !lines_are_painted) return false;
-      Eigen::AlignedBox2d box;
-      extend(box, shapes_[i].outline);
-      const Vec2 slack = background_slack * box.sizes();
-      box = Eigen::AlignedBox2d(box.min() - slack, box.max() + slack);
-      if (!page.isEmpty() && box.contains(page)) return true;
-      Eigen::AlignedBox2d others;
-      for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        if (k != i) extend(others, shapes_[k].outline);
-      }
-      return i == 0 && !others.isEmpty() && box.contains(others);
-    };
-    for (std::size_t i = 0; i < shapes_.size() && shapes_.size() > 1;) {
-      if (!is_background(i)) {
-        ++i;
-        continue;
-      }
-      const Stroke& stroke = shapes_[i].stroke;
-      walk_.findings().stroke_warning(
-          "W_IGNORED", "The rectangle " + in_quotes(stroke.id) + " behind the drawing has no line and was ignored",
-          stroke.id, *stroke.line);
-      shapes_.erase(shapes_.begin() + static_cast<std::ptrdiff_t>(i));
-    }
+  transform(shape.outline, Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)) * map);
+  if (!is_usable(shape.outline)) {
+    file.add(make_error(Category::Malformed, "E_NOT_FINITE",
+                        "Stroke " + in_quotes(stroke.id) + " on line " + std::to_string(*stroke.line) +
+                            " has a coordinate that " + unusable_words),
+             stroke.line, stroke.id);
+    return true;
   }
+  std::size_t bytes = stroke.id.size() + stroke.object.size();
+  for (const auto& [name, value] : stroke.data) bytes += name.size() + value.size();
+  if (!file.count_pieces(shape.outline.segments.size(), bytes, *stroke.line)) return false;
+  shapes.push_back(std::move(shape));
+  return true;
+}
 
-  void flatten() {
-    FlatteningLimits limits;
-    for (const SvgShape& shape : shapes_) extend(limits.bounds, shape.outline);
-    limits.tolerance = svg_flattening_tolerance * limits.bounds.diagonal().norm();
-    for (SvgShape& shape : shapes_) {
-      progress_.check();
-      if (!flatten_into(shape.stroke, shape.outline, limits)) {
-        walk_.limit("The drawing has more than 4 million samples: simplify it", *shape.stroke.line);
-        walk_.throw_findings();
-      }
-      result_.drawing.strokes.push_back(std::move(shape.stroke));
-    }
+void add_shape(SvgFile& file, SvgShownShape shown, std::vector<SvgShape>& shapes) {
+  SvgShape shape;
+  shape.stroke.line = shown.line;
+  shape.stroke.object = object_of(shown.path);
+  shape.stroke.data = data_attributes(shown.node);
+  shape.paint = paint_of(file, shown.path);
+  std::size_t number = 0;
+  for (SvgSubpath& subpath : shown.subpaths) {
+    if (subpath.segments.empty() && !subpath.closed) continue;  // a moveto alone draws nothing
+    ++number;
+    shape.stroke.id = number == 1 ? shown.id : file.unique_name(shown.id + '/' + std::to_string(number), shown.line);
+    shape.outline = std::move(subpath);
+    if (!add_subpath(file, shown.map, shape, shapes)) return;
   }
+}
 
-  struct SvgShape {
-    Stroke stroke;  ///< without samples yet
-    SvgSubpath outline;
-    Paint paint = Paint::Line;
+/// Drawing programs lay a rectangle without a line under the drawing: as large as the page, or around everything else.
+void leave_out_background(SvgFile& file, std::vector<SvgShape>& shapes) {
+  Eigen::AlignedBox2d page = svg_page(file.root());
+  if (!page.isEmpty())
+    page = Eigen::AlignedBox2d(Vec2(page.min().x(), -page.max().y()), Vec2(page.max().x(), -page.min().y()));
+  // Where nothing has a line, files simply don't say how to paint it.
+  const bool lines_are_painted = std::ranges::find(shapes, Paint::Line, &SvgShape::paint) != shapes.end();
+  const auto is_background = [&](std::size_t i) {
+    const Paint paint = shapes[i].paint;
+    if (paint == Paint::Line || !is_upright_box(shapes[i].outline)) return false;
+    if (paint == Paint::Nothing && !lines_are_painted) return false;
+    Eigen::AlignedBox2d box;
+    extend(box, shapes[i].outline);
+    const Vec2 slack = background_slack * box.sizes();
+    box = Eigen::AlignedBox2d(box.min() - slack, box.max() + slack);
+    if (!page.isEmpty() && box.contains(page)) return true;
+    Eigen::AlignedBox2d others;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (k != i) extend(others, shapes[k].outline);
+    }
+    return i == 0 && !others.isEmpty() && box.contains(others);
   };
-
-  SvgWalk walk_;
-  Progress& progress_;
-  DrawingReadResult result_;
-  std::vector<SvgShape> shapes_;
-};
+  for (std::size_t i = 0; i < shapes.size() && shapes.size() > 1;) {
+    if (!is_background(i)) {
+      ++i;
+      continue;
+    }
+    const Stroke& stroke = shapes[i].stroke;
+    file.add(make_warning(Category::Malformed, "W_IGNORED",
+                          "The rectangle " + in_quotes(stroke.id) + " behind the drawing has no line and was ignored"),
+             stroke.line, stroke.id);
+    shapes.erase(shapes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
 
 }  // namespace
 
 DrawingReadResult read_svg_drawing(std::string_view bytes, const std::string& file_name, Progress& progress) {
-  return SketchReader(bytes, file_name, progress).read();
+  SvgFile file(bytes, file_name);
+  DrawingReadResult result;
+  Drawing& drawing = result.drawing;
+  drawing.file = file_name;
+  drawing.plane = read_plane(file);
+  std::vector<SvgShape> shapes;
+  const auto enter = [&](const pugi::xml_node& group) {
+    const std::string object = group.attribute("data-object").value();
+    if (!object.empty()) drawing.object_data[object].merge(data_attributes(group));
+  };
+  visit_svg(file, {enter, [&](SvgShownShape shape) { add_shape(file, std::move(shape), shapes); }}, progress);
+  if (shapes.empty() && !file.limit_reached()) file.add(no_svg_strokes(), std::nullopt);
+  leave_out_background(file, shapes);
+  file.stop_on_errors();
+  FlatteningLimits limits;
+  for (const SvgShape& shape : shapes) extend(limits.bounds, shape.outline);
+  limits.tolerance = svg_flattening_tolerance * limits.bounds.diagonal().norm();
+  for (SvgShape& shape : shapes) {
+    progress.check();
+    if (!flatten_into(shape.stroke, shape.outline, limits)) {
+      file.limit("The drawing has more than 4 million samples: simplify it", *shape.stroke.line);
+      file.stop_on_errors();
+    }
+    drawing.strokes.push_back(std::move(shape.stroke));
+  }
+  result.warnings = file.take();
+  return result;
 }
 
 }  // namespace croquis

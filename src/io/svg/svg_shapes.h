@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <pugixml.hpp>
 
 #include "croquis/geometry/vector.h"
 
@@ -87,6 +88,19 @@ class SvgScanner {
   /// Nothing, and nothing consumed, when there is none.
   std::optional<double> number();
 
+  /// So many numbers, each behind separators or not.
+  template <std::size_t N>
+  std::optional<std::array<double, N>> numbers() {
+    std::array<double, N> result;
+    for (double& value : result) {
+      skip_separators();
+      const std::optional<double> next = number();
+      if (!next) return std::nullopt;
+      value = *next;
+    }
+    return result;
+  }
+
   /// A single 0 or 1, which needs no separator after it.
   std::optional<bool> flag();
 
@@ -94,10 +108,6 @@ class SvgScanner {
   std::string_view word();
 
  private:
-  std::size_t skip_digits(std::size_t from) const;
-  std::size_t end_of_number() const;
-  std::optional<double> number_word();
-
   std::string_view text_;
   std::size_t position_ = 0;
 };
@@ -113,26 +123,19 @@ SvgOutline parse_svg_path(std::string_view data);
 /// The points of a polyline or polygon. @param closed for a polygon
 SvgOutline parse_svg_points(std::string_view points, bool closed);
 
-/// What percentages are of: the viewBox of the svg element or symbol around.
-struct SvgViewport {
-  Vec2 size = Vec2::Zero();  ///< user units; 0 where nothing says so
-};
-
-/// The value of an element's attribute, empty when it is not there.
-using SvgAttributes = std::function<std::string_view(const char* name)>;
-
 bool is_svg_shape(std::string_view element);
 
 /// The outline of a path, polyline, polygon, line, rect, circle or ellipse in its own coordinates. Empty for shapes
-/// that SVG does not draw (no data, no width). Lengths may be in px, mm, cm, in, pt, pc (96 px to the inch) or
-/// percent of the viewport's width, height or, for radii of circles, root mean square of both (SVG 1.1, 7.10).
-SvgOutline svg_shape(std::string_view element, const SvgAttributes& attributes, const SvgViewport& viewport);
+/// that SVG does not draw (no data, no width).
+/// @param viewport see SvgLengths
+SvgOutline svg_shape(std::string_view element, const pugi::xml_node& node, const Vec2& viewport);
 
-/// Reads length attributes of one element.
+/// Reads length attributes of one element. They may be in px, mm, cm, in, pt, pc (96 px to the inch) or percent of the
+/// viewport's width, height or, for radii of circles, root mean square of both (SVG 1.1, 7.10).
 class SvgLengths {
  public:
-  SvgLengths(const SvgAttributes& attributes, const SvgViewport& viewport)
-      : attributes_(attributes), viewport_(viewport) {}
+  /// @param viewport size of the viewBox of the svg element or symbol around, user units; 0 where nothing says so
+  SvgLengths(const pugi::xml_node& element, const Vec2& viewport) : element_(element), viewport_(viewport) {}
 
   /// `fallback` when it is not there or no length.
   double at(const char* name, double fallback = 0);
@@ -143,8 +146,8 @@ class SvgLengths {
  private:
   std::optional<double> factor_of(std::string_view unit, std::string_view name) const;
 
-  const SvgAttributes& attributes_;
-  SvgViewport viewport_;
+  pugi::xml_node element_;
+  Vec2 viewport_;
   std::optional<SvgTextError> error_;
 };
 

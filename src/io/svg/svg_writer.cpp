@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "io/svg/svg_text.h"
 #include "io/text.h"
 
 namespace croquis {
@@ -57,8 +56,8 @@ void append_header(std::string& text, const Eigen::AlignedBox2d& box, const Draw
 
 void append_stroke(std::string& text, const Stroke& stroke, double dash) {
   text += "<path";
-  append_svg_attribute(text, "id", stroke.id);
-  for (const auto& [name, value] : stroke.data) append_svg_attribute(text, "data-" + name, value);
+  append_xml_attribute(text, "id", stroke.id);
+  for (const auto& [name, value] : stroke.data) append_xml_attribute(text, "data-" + name, value);
   const auto visible = stroke.data.find("visible");
   if (visible != stroke.data.end() && visible->second == "false") {
     text += " stroke-dasharray=\"";
@@ -78,10 +77,10 @@ void append_stroke(std::string& text, const Stroke& stroke, double dash) {
 /// What belongs to an object is in a group of its own, so that strokes keep their order.
 void append_group_start(std::string& text, const Drawing& drawing, const std::string& object) {
   text += "<g";
-  append_svg_attribute(text, "data-object", object);
+  append_xml_attribute(text, "data-object", object);
   const auto found = drawing.object_data.find(object);
   if (found != drawing.object_data.end()) {
-    for (const auto& [name, value] : found->second) append_svg_attribute(text, "data-" + name, value);
+    for (const auto& [name, value] : found->second) append_xml_attribute(text, "data-" + name, value);
   }
   text += ">\n";
 }

@@ -81,7 +81,7 @@ Coat scaled_down(const Picture& picture, int longest_side, Progress& progress) {
   return coat;
 }
 
-/// The picture on ground that its lines stand out from: what borders on transparent places tells whether they are dark.
+/// The picture on ground that its lines stand out from: what borders on transparent places shows whether they are dark.
 Brightness on_ground(Coat coat) {
   double border = 0, light = 0;
   for (int y = 0; y < coat.cover.height; ++y) {

@@ -16,7 +16,7 @@ constexpr double gap_turn = 35 * degree;   // of a line on either side of a gap
 constexpr double sight = 6;                // half widths over which the direction of an end is taken
 constexpr double widest_gap = 3;           // half widths, or
 constexpr double least_gap = 3.5;          // pixels, if that is more
-constexpr std::size_t most_ends = 40;      // at a node whose lines can be told apart
+constexpr std::size_t most_ends = 40;      // at a node whose lines can be distinguished
 constexpr double blurred = 1.2;            // half widths around a node within which thinning bends lines
 
 /// An end of a branch and how the branch leaves there.
