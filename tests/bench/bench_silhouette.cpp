@@ -14,9 +14,7 @@
 #include <sys/resource.h>
 
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/skeleton/collision_rows.h"
 #include "algorithms/silhouette/skeleton/depth.h"
-#include "algorithms/silhouette/skeleton/depth_problem.h"
 #include "bench/bench.h"
 #include "bench/cpu_time.h"
 #include "bench/factorisation_peer.h"
@@ -158,9 +156,7 @@ double depth_factorisation_ms(const LabelledFigure& figure, const silhouette::De
   const auto rows = silhouette::collision_rows(skeleton, figure, settings);
   double total = 0;
   for (const silhouette::DepthPart& part : depth_parts(skeleton, rows)) {
-    LeastSquaresProblem problem = depth_problem(skeleton, part, settings);
-    set_collision_rows(skeleton, part, rows, problem);
-    total += factorisation_ms(problem);
+    total += factorisation_ms(depth_problem(skeleton, part, rows, settings));
   }
   return total;
 }

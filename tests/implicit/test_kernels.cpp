@@ -109,7 +109,7 @@ TEST_CASE("two boxes that overlap by a tenth share the middle of their face equa
   CHECK(box_weight(right, middle).value == Approx(box_weight(left, middle).value).epsilon(1e-12));
 }
 
-TEST_CASE("weights are twice continuously differentiable through the faces, with the gradient told") {
+TEST_CASE("weights are twice continuously differentiable through the faces, with the gradient given") {
   const Box box = {Vec3(-.7, -.5, -.6), Vec3(.6, .8, .5)};
   for (const Vec3& p : test::random_points(500, 21)) {
     const BoxWeight weight = box_weight(box, p);

@@ -64,7 +64,7 @@ TEST_CASE("as many conditions as unknowns leave no weights, and fewer centres th
   CHECK(deficient.rank == 3);
   CHECK((kept * deficient.weights + flat * deficient.coefficients - values).norm() < 1e-9);
   CHECK((flat.transpose() * deficient.weights).norm() < 1e-9);
-  // Shortest: nothing of the direction that the columns can't tell.
+  // Shortest: nothing of the direction that the columns don't determine.
   CHECK(std::abs(deficient.coefficients.dot(Eigen::Vector4d(0, -1, 2, 1))) < 1e-9);
 }
 

@@ -249,7 +249,7 @@ TEST_CASE("degenerate points never crash: one, two, a line, a plane, all at one 
   }
 }
 
-TEST_CASE("fitting can be cancelled and tells how far it is") {
+TEST_CASE("fitting can be cancelled and reports how far it is") {
   const Constraints data = torus_points(3000, 1, 0.4);
   for (const int threads : {1, 4}) {
     DomainOptions options;
@@ -259,11 +259,11 @@ TEST_CASE("fitting can be cancelled and tells how far it is") {
     Progress stopping([&](double, const std::string&) { cancel = ++reports == 5; }, &cancel);
     CHECK_THROWS_AS(PartitionOfUnity(data.positions, data.gradients, {}, options, stopping), Cancelled);
     double last = 0;
-    Progress told([&](double fraction, const std::string&) {
+    Progress reported([&](double fraction, const std::string&) {
       CHECK(fraction >= last);
       last = fraction;
     });
-    const PartitionOfUnity field(data.positions, data.gradients, {}, options, told);
+    const PartitionOfUnity field(data.positions, data.gradients, {}, options, reported);
     CHECK(last == 1);
   }
 }

@@ -83,7 +83,7 @@ TEST_CASE("projection brings points onto the surface and leaves fixed ones alone
   }
 }
 
-TEST_CASE("projection takes bounded steps where the field is flat, and tells what it can't bring there") {
+TEST_CASE("projection takes bounded steps where the field is flat, and names what it can't bring there") {
   const auto flat = [](const Vec3& p) { return 1e-3 * p.x() + 5; };
   std::vector<Vec3> points = {Vec3::Zero()};
   ProjectionReport report = project(points, {}, field_of(flat, 1e-6), steps_of(h));

@@ -403,7 +403,7 @@ TEST_CASE("dissolving an inner vertex leaves one polygon around it; on a rim the
   CHECK(dissolve_vertices(loose, MeshTopology(loose), Elements{1}).mesh.vertex_count() == 1);
 }
 
-TEST_CASE("what can't be one polygon stays, and is told") {
+TEST_CASE("what can't be one polygon stays, and is reported") {
   const PolyMesh cube = test::cube();
   const MeshTopology topology(cube);
   const MeshEdit all = dissolve_edges(cube, topology, all_elements(12));
@@ -442,7 +442,7 @@ TEST_CASE("random dissolving never makes an unsound mesh") {
   }
 }
 
-TEST_CASE("polylines stay with their vertices or are told") {
+TEST_CASE("polylines stay with their vertices or are reported") {
   PolyMesh mesh = test::grid(2, 1);
   mesh.add_line(std::vector<Index>{mesh.face(0)[0], mesh.face(0)[1]});
   mesh.add_line(std::vector<Index>{mesh.face(1)[0], mesh.face(1)[1], mesh.face(1)[2]});

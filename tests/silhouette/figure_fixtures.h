@@ -2,13 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "algorithms/silhouette/surface/inflation.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "support/sketches/sketch_tubes.h"
 
 /// Labelled figures of known shape, made without the drawing steps: contours come from tubes in space, and what is
 /// hidden below what is read off the tubes' heights.
@@ -32,19 +32,11 @@ using DepthAt = std::function<int(Index contour, double position)>;
 
 /// Cuts the contours at their crossings and labels, triangulates and counts layers. Contours must cross transversally.
 /// @param step spacing of the contours' points
-FigureFixture figure_of_contours(std::span<const FixtureContour> contours, std::span<const std::string> object_names,
-                                 double step, const DepthAt& depth_at);
+FigureFixture figure_of_contours(const std::vector<FixtureContour>& contours,
+                                 const std::vector<std::string>& object_names, double step, const DepthAt& depth_at);
 
-/// A round tube; its centre line bends less than its radius allows and rises and falls gently.
-struct FixtureTube {
-  std::string name;
-  std::vector<Vec3> centre;  ///< densely sampled; one point for a ball
-  double radius = 1;
-  bool closed = false;
-};
-
-/// @param step spacing of the contours' points; 0: 6/1000 of the figure's diagonal
-FigureFixture figure_of_tubes(std::span<const FixtureTube> tubes, double step = 0);
+/// One outline that nothing covers, of an object without holes.
+FigureFixture figure_of_outline(const std::string& name, const std::vector<Vec2>& outline, double step);
 
 FigureFixture disk_figure();              ///< radius 100
 FigureFixture ring_figure();              ///< an annulus, radii 80 and 120
@@ -54,6 +46,15 @@ FigureFixture figure_eight_figure();      ///< a closed tube that crosses itself
 FigureFixture snake_figure();             ///< an open tube that makes a loop across itself
 FigureFixture trefoil_figure();           ///< a tube tied into a trefoil knot
 FigureFixture linked_rings_figure();      ///< two rings, each in front of the other at one place
+
+/// All of the above, named after themselves.
+struct NamedFigure {
+  std::string name;
+  FigureFixture fixture;
+};
+std::vector<NamedFigure> all_figures();
+
+silhouette::Skeleton skeleton_of(const silhouette::LabelledFigure& figure, double node_spacing = 0.3);
 
 /// The sheets of a figure with the usual settings.
 silhouette::InflatedSheets inflated_sheets(const silhouette::LabelledFigure& figure);

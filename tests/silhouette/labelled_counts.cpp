@@ -48,6 +48,21 @@ LabelledCounts counts_of(const SketchTruth& truth) {
   return counts;
 }
 
+std::vector<int> euler_numbers(const silhouette::LabelledDrawing& labelled) {
+  std::vector<int> numbers;
+  for (const silhouette::LabelledFigure& figure : labelled.figures) {
+    for (const silhouette::FigureObject& object : figure.objects) numbers.push_back(object.euler_region);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+Drawing drawing_of(std::vector<Stroke> strokes) {
+  Drawing drawing;
+  drawing.strokes = std::move(strokes);
+  return drawing;
+}
+
 silhouette::LabelledDrawing label_quietly(const Drawing& drawing, const silhouette::Options& options) {
   Progress progress;
   return silhouette::label(drawing, options, progress);

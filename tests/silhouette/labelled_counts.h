@@ -29,6 +29,11 @@ std::ostream& operator<<(std::ostream& out, const LabelledCounts& counts);
 LabelledCounts counts_of(const silhouette::LabelledDrawing& labelled);
 LabelledCounts counts_of(const SketchTruth& truth);
 
+/// The Euler number of each object's region, ascending.
+std::vector<int> euler_numbers(const silhouette::LabelledDrawing& labelled);
+
+Drawing drawing_of(std::vector<Stroke> strokes);
+
 /// Labels with no progress to report.
 silhouette::LabelledDrawing label_quietly(const Drawing& drawing, const silhouette::Options& options = {});
 

@@ -40,6 +40,12 @@ std::vector<PartDepth> part_depths(const silhouette::Solid& solid) {
   return parts;
 }
 
+std::map<std::string, PartDepth> depths_by_name(const silhouette::Solid& solid) {
+  std::map<std::string, PartDepth> parts;
+  for (const PartDepth& part : part_depths(solid)) parts[part.name] = part;
+  return parts;
+}
+
 double middle_spread(const std::vector<PartDepth>& parts) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;

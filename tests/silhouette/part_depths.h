@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct PartDepth {
 
 /// One per object, in the order of the mesh's labels. Of joined objects only what can be seen counts.
 std::vector<PartDepth> part_depths(const silhouette::Solid& solid);
+
+/// The same by the names of objects.
+std::map<std::string, PartDepth> depths_by_name(const silhouette::Solid& solid);
 
 /// From the first of their middles to the last, over the sum of their depths: 0 where all lie in one plane, and below 1
 /// in a stack of parts that touch.

@@ -11,11 +11,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/attachments.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/attachment.h"
-#include "croquis/silhouette/solid.h"
+#include "silhouette/labelled_counts.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -24,23 +23,14 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::check_sound, test::depth_of, test::report_of, test::slender_share, test::solid_of;
 
 namespace {
-
-LabelledDrawing labelled(const Drawing& drawing) {
-  Progress progress;
-  return label(drawing, {}, progress);
-}
-
-Solid solid_of(const Drawing& drawing, const Options& options) {
-  Progress progress;
-  return inflate(label(drawing, options, progress), drawing, options, progress);
-}
 
 /// All pairs that look like limb and body.
 std::vector<AttachedPair> suggested(const Drawing& drawing, double kappa = AttachedPair{}.kappa) {
   std::vector<AttachedPair> pairs;
-  for (const LabelledFigure& figure : labelled(drawing).figures) {
+  for (const LabelledFigure& figure : test::label_quietly(drawing).figures) {
     for (const AttachSuggestion& suggestion : attach_suggestions(figure)) {
       pairs.push_back({figure.objects[suggestion.a].name, figure.objects[suggestion.b].name, kappa});
     }
@@ -52,32 +42,6 @@ Solid attached(const Drawing& drawing, double kappa = AttachedPair{}.kappa) {
   Options options;
   options.attach = suggested(drawing, kappa);
   return solid_of(drawing, options);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
-}
-
-void check_sound(const PolyMesh& mesh) {
-  const MeshReport figures = report_of(mesh);
-  CHECK(figures.closed);
-  CHECK(figures.oriented);
-  CHECK(figures.nonmanifold_edges + figures.nonmanifold_vertices == 0);
-  CHECK(figures.degenerate_faces == 0);
-  CHECK(figures.self_intersections == std::size_t{0});
-}
-
-/// Of triangles with an angle below 15 degrees.
-double slender_share(const PolyMesh& mesh) {
-  const std::vector<double> angles = test::smallest_angles(mesh);
-  const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-  return static_cast<double>(slender) / static_cast<double>(angles.size());
-}
-
-double depth_of(const Solid& solid) {
-  const auto bounds = *report_of(solid.mesh).bounds;
-  return bounds[1].z() - bounds[0].z();
 }
 
 /// The object whose face a ray from the viewer meets first, and the height there.
@@ -156,30 +120,6 @@ Findings refused(const Drawing& drawing, const std::vector<AttachedPair>& pairs)
 
 }  // namespace
 
-TEST_CASE("pairs are joined or resting, whatever was said last; only joined ones make groups") {
-  Attachments attachments;
-  CHECK(attachments.empty());
-  attachments.rest(4, 2);
-  CHECK(attachments.empty());
-  CHECK(attachments.resting(2, 4));
-  CHECK(attachments.resting(4, 2));
-  CHECK(!attachments.resting(4, 4));
-  CHECK(!attachments.involves(4));
-  attachments.add(2, 1, 0.5);
-  attachments.add(5, 6, 0.25);
-  attachments.rest(0, 2);
-  CHECK(attachments.resting_pairs() == std::vector<Attachments::Pair>{{0, 2}, {2, 4}});
-  CHECK(attachments.groups() == std::vector<std::vector<Index>>{{1, 2}, {5, 6}});
-  attachments.rest(1, 2);
-  CHECK(!attachments.kappa(1, 2));
-  attachments.add(4, 2, 0.75);
-  CHECK(!attachments.resting(4, 2));
-  CHECK(attachments.kappa(2, 4) == 0.75);
-  attachments.release(4, 2);
-  CHECK(attachments.groups() == std::vector<std::vector<Index>>{{5, 6}});
-  CHECK(attachments.resting(0, 2));
-}
-
 TEST_CASE("attached animals are one sound surface that shows what was drawn") {
   for (const test::NamedSketch& animal : animals()) {
     INFO(animal.name);
@@ -201,9 +141,9 @@ TEST_CASE("attached animals are one sound surface that shows what was drawn") {
 
 TEST_CASE("attached animals are flatter than those whose limbs keep the gap") {
   const Drawing dog = test::dog_sketch().drawing;
-  CHECK(depth_of(attached(dog)) < 0.75 * depth_of(solid_of(dog, {})));
+  CHECK(depth_of(attached(dog).mesh) < 0.75 * depth_of(solid_of(dog).mesh));
   for (const test::Sketch& sketch : {test::limb_on_blob_sketch(true), test::limb_on_blob_sketch(false)}) {
-    CHECK(depth_of(attached(sketch.drawing)) < 0.95 * depth_of(solid_of(sketch.drawing, {})));
+    CHECK(depth_of(attached(sketch.drawing).mesh) < 0.95 * depth_of(solid_of(sketch.drawing).mesh));
   }
 }
 
@@ -243,7 +183,7 @@ TEST_CASE("larger kappa never brings a limb nearer to the body's middle") {
   const test::Sketch sketch = test::limb_on_blob_sketch(true);
   double last = 0;
   for (const double kappa : {0.0, 0.5, 0.7, 0.9}) {
-    const double depth = depth_of(attached(sketch.drawing, kappa));
+    const double depth = depth_of(attached(sketch.drawing, kappa).mesh);
     CHECK(depth >= last - 1e-6);
     last = depth;
   }
@@ -255,7 +195,7 @@ TEST_CASE("what looks attached is held as suggested unless the pair is named") {
   options.attach_suggested = true;
   const Solid all = solid_of(duck, options);
   std::map<Hold, std::size_t> wanted;
-  for (const LabelledFigure& figure : labelled(duck).figures) {
+  for (const LabelledFigure& figure : test::label_quietly(duck).figures) {
     for (const AttachSuggestion& suggestion : attach_suggestions(figure)) ++wanted[suggestion.hold];
   }
   std::map<Hold, std::size_t> held;
@@ -336,10 +276,10 @@ TEST_CASE("of a hundred triangles of a joined solid hardly one is slender, besid
 
 TEST_CASE("attached solids turn and grow with their drawing") {
   const test::Sketch dog = test::dog_sketch();
-  const double depth = depth_of(attached(dog.drawing));
-  CHECK(depth_of(attached(test::scaled(dog, 7).drawing)) == Approx(7 * depth).epsilon(1e-4));
+  const double depth = depth_of(attached(dog.drawing).mesh);
+  CHECK(depth_of(attached(test::scaled(dog, 7).drawing).mesh) == Approx(7 * depth).epsilon(1e-4));
   const Solid turned = attached(test::rotated(dog, 1).drawing);
-  CHECK(depth_of(turned) == Approx(depth).epsilon(0.02));
+  CHECK(depth_of(turned.mesh) == Approx(depth).epsilon(0.02));
   CHECK(report_of(turned.mesh).euler_characteristic == 2);
   check_sound(turned.mesh);
 }
@@ -371,7 +311,7 @@ TEST_CASE("unattached objects of the same figure keep their gap") {
   CHECK(solid.diagnostics.minimum_gap >= 0.1 * solid.diagnostics.scale - 1e-6);
 }
 
-TEST_CASE("a chain of attached objects is one shell whose faces tell their object") {
+TEST_CASE("a chain of attached objects is one shell whose faces know their object") {
   const auto disk = [](double x, int priority) {
     return test::LayeredPart{test::circle_outline({x, 0}, 100), priority};
   };
@@ -440,14 +380,14 @@ TEST_CASE("pairs that can't be attached are refused by name") {
   CHECK(refused(drawing, {{"nobody", "nothing"}, {good.a, good.a}}).size() == 3);
 }
 
-TEST_CASE("a pair that doesn't overlap is told and left as it is") {
+TEST_CASE("a pair that doesn't overlap is named and left as it is") {
   const Drawing drawing = test::three_blobs_sketch().drawing;
   Drawing far = test::translated(test::circle_sketch(), {3000, 0}).drawing;
   far.strokes.front().id = "far";
   Drawing both = drawing;
   both.strokes.push_back(far.strokes.front());
   Options options;
-  options.attach = {{labelled(drawing).figures.front().objects.front().name, "far"}};
+  options.attach = {{test::label_quietly(drawing).figures.front().objects.front().name, "far"}};
   const Solid solid = solid_of(both, options);
   CHECK(codes(solid.findings) == std::set<std::string>{"W_ATTACH_APART"});
   CHECK(solid.attached.empty());

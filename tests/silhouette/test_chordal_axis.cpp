@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/sketches/sketch_gallery.h"
@@ -14,13 +14,9 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::skeleton_of;
 
 namespace {
-
-Skeleton skeleton_of(const LabelledFigure& figure, double node_spacing = 0.3) {
-  Progress progress;
-  return chordal_axis(figure, node_spacing, progress);
-}
 
 struct Shape {
   int components = 0;
@@ -86,43 +82,41 @@ void check_contour_radius(const LabelledFigure& figure, const Skeleton& skeleton
 
 }  // namespace
 
-TEST_CASE("a disk has one node, in its middle") {
-  const auto fixture = test::disk_figure();
-  const Skeleton skeleton = skeleton_of(fixture.figure);
-  REQUIRE(skeleton.nodes.size() == 1);
-  CHECK(skeleton.edges.empty());
-  CHECK(skeleton.nodes[0].position.norm() < 1);
-  CHECK(skeleton.nodes[0].radius == Approx(100).epsilon(0.01));
-  CHECK(skeleton.scale == skeleton.nodes[0].radius);
-  check_nodes(fixture.figure, skeleton);
-  check_contour_radius(fixture.figure, skeleton, 100, 0.01);
+TEST_CASE("tubes have axes of their own: paths between their ends, loops, and one node for a disk") {
+  struct Row {
+    int components, ends, loops;
+  };
+  const std::map<std::string, Row> rows = {
+      {"disk", {1, 0, 0}},         {"ring", {1, 0, 1}},  {"capsule", {1, 2, 0}},      {"crossed capsules", {2, 4, 0}},
+      {"figure eight", {1, 0, 1}}, {"snake", {1, 2, 0}}, {"linked rings", {2, 0, 2}}, {"trefoil", {1, 0, 1}}};
+  for (const auto& [name, fixture] : test::all_figures()) {
+    INFO(name);
+    const Skeleton skeleton = skeleton_of(fixture.figure);
+    const Shape shape = shape_of(skeleton);
+    CHECK(shape.components == rows.at(name).components);
+    CHECK(shape.ends == rows.at(name).ends);
+    CHECK(shape.loops == rows.at(name).loops);
+    CHECK(shape.junctions == 0);
+    check_nodes(fixture.figure, skeleton);
+    for (const auto& [a, b] : skeleton.edges) CHECK(skeleton.nodes[a].object == skeleton.nodes[b].object);
+  }
 }
 
-TEST_CASE("a ring has one loop along its middle") {
-  const auto fixture = test::ring_figure();
-  const Skeleton skeleton = skeleton_of(fixture.figure);
-  const Shape shape = shape_of(skeleton);
-  CHECK(shape.components == 1);
-  CHECK(shape.ends == 0);
-  CHECK(shape.junctions == 0);
-  CHECK(shape.loops == 1);
-  for (const SkeletonNode& node : skeleton.nodes) CHECK(node.position.norm() == Approx(100).epsilon(0.02));
-  CHECK(skeleton.scale == Approx(20).epsilon(0.05));
-  check_nodes(fixture.figure, skeleton);
-  check_contour_radius(fixture.figure, skeleton, 20, 0.1);
-}
-
-TEST_CASE("a capsule has one path between the centres of its ends") {
-  const auto fixture = test::capsule_figure();
-  const Skeleton skeleton = skeleton_of(fixture.figure);
-  const Shape shape = shape_of(skeleton);
-  CHECK(shape.components == 1);
-  CHECK(shape.ends == 2);
-  CHECK(shape.junctions == 0);
-  CHECK(shape.loops == 0);
-  double low = 1e9;
-  double high = -1e9;
-  for (const SkeletonNode& node : skeleton.nodes) {
+TEST_CASE("nodes lie in the middle, with the radius of the tube") {
+  const auto disk = test::disk_figure(), ring = test::ring_figure(), capsule = test::capsule_figure();
+  const Skeleton one = skeleton_of(disk.figure);
+  REQUIRE(one.nodes.size() == 1);
+  CHECK(one.nodes[0].position.norm() < 1);
+  CHECK(one.nodes[0].radius == Approx(100).epsilon(0.01));
+  CHECK(one.scale == one.nodes[0].radius);
+  check_contour_radius(disk.figure, one, 100, 0.01);
+  const Skeleton loop = skeleton_of(ring.figure);
+  for (const SkeletonNode& node : loop.nodes) CHECK(node.position.norm() == Approx(100).epsilon(0.02));
+  CHECK(loop.scale == Approx(20).epsilon(0.05));
+  check_contour_radius(ring.figure, loop, 20, 0.1);
+  const Skeleton path = skeleton_of(capsule.figure);
+  double low = 1e9, high = -1e9;
+  for (const SkeletonNode& node : path.nodes) {
     CHECK(std::abs(node.position.y()) < 1);
     CHECK(node.radius == Approx(40).epsilon(0.03));
     low = std::min(low, node.position.x());
@@ -130,32 +124,7 @@ TEST_CASE("a capsule has one path between the centres of its ends") {
   }
   CHECK(low == Approx(0).margin(8));
   CHECK(high == Approx(220).margin(8));
-  check_nodes(fixture.figure, skeleton);
-  check_contour_radius(fixture.figure, skeleton, 40, 0.05);
-}
-
-TEST_CASE("crossing tubes keep axes of their own") {
-  struct Row {
-    const char* name;
-    test::FigureFixture fixture;
-    int components, ends, loops;
-  };
-  const std::vector<Row> rows = {{"crossed capsules", test::crossed_capsules_figure(), 2, 4, 0},
-                                 {"figure eight", test::figure_eight_figure(), 1, 0, 1},
-                                 {"snake", test::snake_figure(), 1, 2, 0},
-                                 {"linked rings", test::linked_rings_figure(), 2, 0, 2},
-                                 {"trefoil", test::trefoil_figure(), 1, 0, 1}};
-  for (const Row& row : rows) {
-    INFO(row.name);
-    const Skeleton skeleton = skeleton_of(row.fixture.figure);
-    const Shape shape = shape_of(skeleton);
-    CHECK(shape.components == row.components);
-    CHECK(shape.ends == row.ends);
-    CHECK(shape.loops == row.loops);
-    CHECK(shape.junctions == 0);
-    check_nodes(row.fixture.figure, skeleton);
-    for (const auto& [a, b] : skeleton.edges) CHECK(skeleton.nodes[a].object == skeleton.nodes[b].object);
-  }
+  check_contour_radius(capsule.figure, path, 40, 0.05);
 }
 
 TEST_CASE("the trefoil's loop has a node every 0.3 radii and passes all twelve panels") {
@@ -184,7 +153,7 @@ TEST_CASE("a finer spacing gives proportionally more nodes on the same line") {
 
 TEST_CASE("three arms meet in one junction") {
   // A three-armed star with round ends: offsets of three rays from the centre.
-  test::FixtureContour contour;
+  std::vector<Vec2> outline;
   const double arm = 200;
   const double half = 30;
   for (int k = 0; k < 3; ++k) {
@@ -195,19 +164,18 @@ TEST_CASE("three arms meet in one junction") {
     const auto side = [&](double sign, bool outwards) {
       for (int i = 0; i < 30; ++i) {
         const double t = (outwards ? i + 1 : 30 - i) / 31.0;
-        contour.points.push_back(out * (armpit + t * (arm - armpit)) + sign * half * left);
+        outline.push_back(out * (armpit + t * (arm - armpit)) + sign * half * left);
       }
     };
-    contour.points.push_back(out * armpit - half * left);
+    outline.push_back(out * armpit - half * left);
     side(-1, true);
     for (int i = 0; i <= 16; ++i) {
       const double turn = 3.14159265358979 * (i / 16.0 - 0.5);
-      contour.points.push_back(out * (arm + half * std::cos(turn)) + left * half * std::sin(turn));
+      outline.push_back(out * (arm + half * std::cos(turn)) + left * half * std::sin(turn));
     }
     side(1, false);
   }
-  const std::vector<std::string> names = {"star"};
-  const auto fixture = test::figure_of_contours(std::vector{contour}, names, 6, [](Index, double) { return 0; });
+  const auto fixture = test::figure_of_outline("star", outline, 6);
   const Skeleton skeleton = skeleton_of(fixture.figure);
   const Shape shape = shape_of(skeleton);
   CHECK(shape.components == 1);

@@ -7,16 +7,14 @@
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
-#include "algorithms/silhouette/skeleton/collision_rows.h"
 #include "algorithms/silhouette/skeleton/depth.h"
-#include "algorithms/silhouette/skeleton/depth_problem.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
 #include "support/sketches/sketch_gallery.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::skeleton_of;
 
 namespace {
 
@@ -38,11 +36,6 @@ Matrix6 interpolation_matrix(const Vec2& from, const Vec2& to) {
 }
 
 Vector6 as_vector(const EdgeRow& row) { return Vector6(row.data()); }
-
-Skeleton skeleton_of(const LabelledFigure& figure, double node_spacing = 0.3) {
-  Progress progress;
-  return chordal_axis(figure, node_spacing, progress);
-}
 
 DepthResult solve(Skeleton& skeleton, const LabelledFigure& figure, const DepthSettings& settings = {}) {
   Progress progress;
@@ -186,7 +179,7 @@ TEST_CASE("a joined part's rim lies on the front of the part behind it, however 
   LabelledFigure figure;
   figure.faces = {1};
   DepthSettings settings;
-  settings.attachments.add(0, 1, 0.1);
+  settings.attachments.held[{0, 1}] = {Hold::Joined, 0.1};
   // The front of the part behind is half an ellipsoid of radius 3; the nearest place of the rim is (0, 1).
   const double round = std::sqrt(3 * 3 - 0.5 * 0.5 - 1);
   for (const double thickness : {0.3, 0.5, 1.0}) {
@@ -222,22 +215,6 @@ TEST_CASE("heights hardly depend on the number of nodes") {
   solve(coarse, fixture.figure);
   solve(fine, fixture.figure);
   CHECK(mean_height(fine) == Approx(mean_height(coarse)).epsilon(0.1));
-}
-
-TEST_CASE("rows added as they are needed give the same heights as all at once") {
-  const auto fixture = test::trefoil_figure();
-  Skeleton all = skeleton_of(fixture.figure, 0.15);
-  Skeleton lazy = all;
-  const DepthResult at_once = solve(all, fixture.figure);
-  DepthSettings settings;
-  settings.lazy_rows = 10;
-  const DepthResult in_rounds = solve(lazy, fixture.figure, settings);
-  CHECK(in_rounds.rounds > 1);
-  CHECK(in_rounds.rows == at_once.rows);
-  CHECK(in_rounds.rows_used < at_once.rows_used);
-  for (std::size_t n = 0; n < all.nodes.size(); ++n) {
-    CHECK(std::abs(all.nodes[n].z - lazy.nodes[n].z) < 1e-4 * all.scale);
-  }
 }
 
 TEST_CASE("weights do what their names say") {
@@ -278,7 +255,7 @@ TEST_CASE("an object's own weights move it and hardly the others") {
   CHECK(pinned[1] > plain[1]);
 }
 
-TEST_CASE("a contradiction is told with both strokes, and the rest is still solved") {
+TEST_CASE("a contradiction is reported with both strokes, and the rest is still solved") {
   const auto fixture = test::crossed_capsules_figure();
   Skeleton skeleton = skeleton_of(fixture.figure);
   // Two nodes that lie on each other's sheets in the same face: each would have to be above the other.

@@ -5,12 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/depth_guard.h"
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/silhouette/solid.h"
-#include "silhouette/figure_fixtures.h"
+#include "silhouette/part_depths.h"
+#include "silhouette/solids.h"
 #include "support/sample_count.h"
 #include "support/sketches/sketch_gallery.h"
 #include "support/sketches/sketch_scrawls.h"
@@ -39,39 +37,18 @@ struct Pile {
   double depth() const { return explained_depth(figure, skeleton, 0.5); }
 };
 
-struct Depth {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-/// Of every figure's objects by their names.
-std::map<std::string, Depth> depths_of(const Solid& solid) {
-  std::map<std::string, Depth> depths;
-  const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
-  const auto& objects = std::get<std::vector<std::int32_t>>(channel.data);
-  for (std::size_t f = 0; f < solid.mesh.face_count(); ++f) {
-    Depth& depth = depths[channel.labels[static_cast<std::size_t>(objects[f])]];
-    for (const Index v : solid.mesh.face(f)) {
-      depth.low = std::min(depth.low, solid.mesh.positions[v].z());
-      depth.high = std::max(depth.high, solid.mesh.positions[v].z());
-    }
-  }
-  return depths;
-}
-
 /// Each figure by itself is no deeper than twice what its drawing explains.
 void check_depths(const LabelledDrawing& labelled, const Solid& solid, const Options& options) {
-  std::map<std::string, Depth> depths = depths_of(solid);
+  const std::map<std::string, test::PartDepth> depths = test::depths_by_name(solid);
   for (const LabelledFigure& figure : labelled.figures) {
-    Progress progress;
-    const Skeleton axis = chordal_axis(figure, options.depth.node_spacing, progress);
-    Depth all;
+    const Skeleton axis = test::skeleton_of(figure, options.depth.node_spacing);
+    test::PartDepth all{"", std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const FigureObject& object : figure.objects) {
       if (!depths.contains(object.name)) continue;
-      all.low = std::min(all.low, depths[object.name].low);
-      all.high = std::max(all.high, depths[object.name].high);
+      all.low = std::min(all.low, depths.at(object.name).low);
+      all.high = std::max(all.high, depths.at(object.name).high);
     }
-    CHECK(all.high - all.low <= 2 * explained_depth(figure, axis, options.depth.minimum_gap * axis.scale));
+    CHECK(all.depth() <= 2 * explained_depth(figure, axis, options.depth.minimum_gap * axis.scale));
   }
 }
 
@@ -101,9 +78,7 @@ void try_scrawl(const test::ScrawledDrawing& scrawl, Tally& tally) {
   }
   if (refused_depth(solid.findings)) ++tally.refused;
   check_depths(labelled, solid, options);
-  const MeshReport figures = inspect(solid.mesh, true, progress);
-  CHECK(figures.closed);
-  CHECK(figures.self_intersections == std::size_t{0});
+  test::check_sound(solid.mesh);
 }
 
 }  // namespace
@@ -139,22 +114,18 @@ TEST_CASE("an object deeper than its drawing explains is refused by name, and th
   test::FigureFixture fixture = test::crossed_capsules_figure();
   const Index upper = fixture.figure.objects[0].name == "front" ? 0 : 1;
   fixture.figure.overlaps = {{Vec2::Zero(), upper, 1 - upper, {}}};
-  LabelledDrawing labelled;
-  labelled.figures.push_back(fixture.figure);
   Options options;
-  Progress progress;
-  const Solid all = inflate(labelled, fixture.drawing, options, progress);
+  const Solid all = test::solid_of(fixture, options);
   REQUIRE(all.objects.size() == 2);
-  const auto depths = depths_of(all);
-  const Depth front = depths.at("front"), back = depths.at("back");
-  const double one = std::max(front.high - front.low, back.high - back.low);
-  const double both = std::max(front.high, back.high) - std::min(front.low, back.low);
+  const auto depths = test::depths_by_name(all);
+  const double one = std::max(depths.at("front").depth(), depths.at("back").depth());
+  const double both = test::depth_of(all.mesh);
   REQUIRE(one < 0.9 * both);
-  const Skeleton axis = chordal_axis(fixture.figure, options.depth.node_spacing, progress);
+  const Skeleton axis = test::skeleton_of(fixture.figure, options.depth.node_spacing);
   const double explained = explained_depth(fixture.figure, axis, options.depth.minimum_gap * axis.scale);
   CHECK(both <= explained);
   options.depth.depth_allowance = (one + both) / 2 / explained;  // room for either, not for both
-  const Solid solid = inflate(labelled, fixture.drawing, options, progress);
+  const Solid solid = test::solid_of(fixture, options);
   REQUIRE(solid.objects.size() == 1);
   REQUIRE(solid.findings.size() == 1);
   const Finding& finding = solid.findings[0];
@@ -167,15 +138,12 @@ TEST_CASE("an object deeper than its drawing explains is refused by name, and th
 
 TEST_CASE("heights that aren't exact enough are refused, also of a draft") {
   const test::FigureFixture fixture = test::crossed_capsules_figure();
-  LabelledDrawing labelled;
-  labelled.figures.push_back(fixture.figure);
-  Progress progress;
   for (const Quality quality : {Quality::Final, Quality::Draft}) {
     Options options;
     options.quality = quality;
     options.depth.accuracy = 1e-300;  // no sum of doubles is that exact
     try {
-      inflate(labelled, fixture.drawing, options, progress);
+      test::solid_of(fixture, options);
       FAIL("it became a solid");
     } catch (const Error& error) {
       REQUIRE(error.findings().size() == 2);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/silhouette/solid.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -18,6 +15,7 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::depth_of;
 
 namespace {
 
@@ -38,14 +36,8 @@ struct Stack {
     for (AttachedPair& pair : options.attach) pair.hold = Hold::Resting;
     Drawing drawing = test::character_sketch(character).drawing;
     for (Stroke& stroke : drawing.strokes) stroke.data["kind"] = "part";
-    Progress progress;
-    solid = inflate(label(drawing, options, progress), drawing, options, progress);
-    const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
-    for (const test::CharacterPart& part : character.parts) {
-      const auto place = std::find(channel.labels.begin(), channel.labels.end(), part.name);
-      REQUIRE(place != channel.labels.end());
-      parts.push_back(test::part_of(solid.mesh, static_cast<int>(place - channel.labels.begin())));
-    }
+    solid = test::solid_of(drawing, options);
+    for (const test::CharacterPart& part : character.parts) parts.push_back(test::part_named(solid, part.name));
   }
 
   /// From the front of one to the back of the next over a place; a huge number where one of them isn't there.
@@ -58,10 +50,7 @@ struct Stack {
   void check_sound() const {
     CHECK(solid.findings.empty());
     CHECK(solid.diagnostics.silhouette_iou >= 0.98);
-    Progress progress;
-    const MeshReport report = inspect(solid.mesh, true, progress);
-    CHECK(report.closed);
-    CHECK(report.self_intersections == std::size_t{0});
+    test::check_sound(solid.mesh);
   }
 };
 
@@ -76,24 +65,7 @@ std::vector<Vec2> places_in(const Vec2& centre, double radius) {
   return places;
 }
 
-double depth_of(const PolyMesh& mesh) {
-  const auto by_height = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
-  const auto [low, high] = std::minmax_element(mesh.positions.begin(), mesh.positions.end(), by_height);
-  return high->z() - low->z();
-}
-
-double lowest_of(const PolyMesh& mesh) {
-  double lowest = mesh.positions.front().z();
-  for (const Vec3& position : mesh.positions) lowest = std::min(lowest, position.z());
-  return lowest;
-}
-
-/// Percent of the triangles with an angle below 15 degrees.
-double slender_percent(const PolyMesh& mesh) {
-  const std::vector<double> angles = test::smallest_angles(mesh);
-  const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-  return 100.0 * static_cast<double>(slender) / static_cast<double>(angles.size());
-}
+double lowest_of(const PolyMesh& mesh) { return test::report_of(mesh).bounds->front().z(); }
 
 }  // namespace
 
@@ -122,7 +94,7 @@ TEST_CASE("a button anywhere on a ball lies on it all over, and the ball stays r
     }
     CHECK(bend < 0.04);
     bent += bend > 0.02 ? 1 : 0;
-    slender += slender_percent(stack.parts[1]) / count;
+    slender += 100 * test::slender_share(stack.parts[1]) / count;
     double gap = 0;  // in parts of what it may be
     for (const Vec2& place : places_in(centre, radius)) {
       const double distance = stack.distance(0, place);
@@ -174,9 +146,7 @@ TEST_CASE("a wing that reaches beyond its body goes on without a sharp bend and 
       last = middle(x);
     }
     const double rim = test::vertical_hits(stack.parts[0], {0, 0}).front() + depth_of(stack.parts[0]) / 2;
-    double lowest = rim;
-    for (const Vec3& position : stack.parts[1].positions) lowest = std::min(lowest, position.z());
-    CHECK(lowest > rim - 1);
+    CHECK(lowest_of(stack.parts[1]) > rim - 1);
   }
 }
 
@@ -196,21 +166,15 @@ TEST_CASE("balls in a row that cross stay balls, however much of them rests on t
     Options options;
     options.strokes.crossings = Crossings::Front;
     options.attach_suggested = true;
-    const Drawing drawing = test::whole_outlines(row);
-    Progress progress;
-    const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
+    const Solid solid = test::solid_of(test::whole_outlines(row), options);
     CHECK(solid.attached.size() == radii.size() - 1);
     for (const SolidAttachment& held : solid.attached) CHECK(held.hold == Hold::Resting);
-    const MeshReport report = inspect(solid.mesh, true, progress);
-    CHECK(report.closed);
-    CHECK(report.self_intersections == std::size_t{0});
-    CHECK(report.components == radii.size());
+    test::check_sound(solid.mesh);
+    CHECK(test::report_of(solid.mesh).components == radii.size());
     CHECK(solid.diagnostics.silhouette_iou >= 0.98);
     CHECK(solid.diagnostics.minimum_gap > 0);
-    const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
     for (std::size_t k = 0; k < radii.size(); ++k) {
-      const auto name = std::ranges::find(channel.labels, row.parts[k].name);
-      const PolyMesh ball = test::part_of(solid.mesh, static_cast<int>(name - channel.labels.begin()));
+      const PolyMesh ball = test::part_named(solid, row.parts[k].name);
       INFO("ball " << k);
       CHECK(depth_of(ball) >= 0.95 * 2 * scale * radii[k]);
       CHECK(depth_of(ball) <= 1.2 * 2 * scale * radii[k]);
@@ -236,8 +200,7 @@ TEST_CASE("what rests turns, is mirrored and grows with its drawing") {
   const auto depth = [](const test::Sketch& sketch) {
     Options options;
     options.attach_suggested = true;
-    Progress progress;
-    return depth_of(inflate(label(sketch.drawing, options, progress), sketch.drawing, options, progress).mesh);
+    return depth_of(test::solid_of(sketch.drawing, options).mesh);
   };
   const test::Sketch sketch = test::character_sketch(plain);
   const double drawn = depth(sketch);
@@ -247,42 +210,24 @@ TEST_CASE("what rests turns, is mirrored and grows with its drawing") {
 }
 
 TEST_CASE("characters' eyes, windows and bellies lie on what they rest on") {
-  for (const test::Character& character : test::all_characters()) {
-    // The snowman's nose is thin, with points of other parts right beside its rim.
-    const std::set<std::string> chosen{"penguin", "owl", "car", "snowman"};
-    if (!chosen.contains(character.name)) continue;
-    INFO(character.name);
-    const Drawing drawing = test::character_sketch(character).drawing;
+  // The snowman's nose is thin, with points of other parts right beside its rim.
+  for (const char* name : {"penguin", "owl", "car", "snowman"}) {
+    INFO(name);
     Options options;
     options.attach_suggested = true;
-    Progress progress;
-    const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
-    CHECK(inspect(solid.mesh, true, progress).self_intersections == std::size_t{0});
+    const Solid solid = test::solid_of(test::character_named(name).drawing, options);
+    test::check_sound(solid.mesh);
     CHECK(!has_errors(solid.findings));
-    const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
-    const auto part = [&](const std::string& name) {
-      const auto place = std::find(channel.labels.begin(), channel.labels.end(), name);
-      return test::part_of(solid.mesh, static_cast<int>(place - channel.labels.begin()));
-    };
     int resting = 0;
     for (const SolidAttachment& held : solid.attached) {
       if (held.hold != Hold::Resting) continue;
       ++resting;
       INFO(held.a << " " << held.b);
-      PolyMesh upper = part(held.a);
-      PolyMesh lower = part(held.b);
-      const auto reach = [](const PolyMesh& mesh) {
-        Vec3 low = mesh.positions.front(), high = low;
-        for (const Vec3& position : mesh.positions) {
-          low = low.cwiseMin(position);
-          high = high.cwiseMax(position);
-        }
-        return std::pair(low, high);
-      };
-      if (reach(upper).second.x() - reach(upper).first.x() > reach(lower).second.x() - reach(lower).first.x()) {
-        std::swap(upper, lower);
-      }
-      const auto [low, high] = reach(upper);
+      PolyMesh upper = test::part_named(solid, held.a), lower = test::part_named(solid, held.b);
+      const auto bounds = [](const PolyMesh& mesh) { return *test::report_of(mesh).bounds; };
+      const auto width = [&](const PolyMesh& mesh) { return bounds(mesh)[1].x() - bounds(mesh)[0].x(); };
+      if (width(upper) > width(lower)) std::swap(upper, lower);
+      const auto [low, high] = bounds(upper);
       const double radius = std::min(high.x() - low.x(), high.y() - low.y()) / 2;
       for (const Vec2& place : places_in((low + high).head<2>() / 2, radius)) {
         const std::vector<double> below = test::vertical_hits(lower, place);

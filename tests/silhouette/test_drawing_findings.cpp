@@ -83,7 +83,7 @@ TEST_CASE("every finding about a drawing names the strokes it is about") {
   }
 }
 
-TEST_CASE("places are told in the file's own frame, with the file and line") {
+TEST_CASE("places are given in the file's own frame, with the file and line") {
   Drawing drawing;
   drawing.file = "sketch.svg";
   drawing.strokes.push_back(stroke_of("open", {{100, -200}, {100, 0}, {300, 0}, {300, -210}, {100, -210}}));
@@ -124,15 +124,13 @@ TEST_CASE("all findings of a drawing come at once") {
 
 TEST_CASE("a drawing without strokes to work with is refused") {
   CHECK(codes(findings_of({})) == std::vector<std::string>{"E_NO_STROKES"});
-  Drawing dot;
-  dot.strokes.push_back(stroke_of("dot", {{5, 5}, {5, 5}}));
+  Drawing dot = drawing_of({stroke_of("dot", {{5, 5}, {5, 5}})});
   CHECK(codes(findings_of(dot)) == std::vector<std::string>{"W_TINY", "E_NO_STROKES"});
   CHECK_THROWS_AS(label_quietly(dot), Error);
 }
 
 TEST_CASE("coordinates that are no numbers are refused by name") {
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("bad", {{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {9, 9}}));
+  Drawing drawing = drawing_of({stroke_of("bad", {{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}, {9, 9}})});
   const Findings findings = findings_of(drawing);
   REQUIRE(find_code(findings, "E_NOT_FINITE") != nullptr);
   CHECK(strokes_named(*find_code(findings, "E_NOT_FINITE")) == std::vector<std::string>{"bad"});
@@ -152,8 +150,7 @@ TEST_CASE("a drawing of scribbles reaches a limit instead of taking forever") {
   Random random(3);
   std::vector<Vec2> points;
   for (int i = 0; i < 20000; ++i) points.emplace_back(random.between(0, 900), random.between(0, 700));
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("scribble", points));
+  Drawing drawing = drawing_of({stroke_of("scribble", points)});
   const Findings findings = findings_of(drawing);
   REQUIRE(codes(findings) == std::vector<std::string>{"E_LIMIT"});
   CHECK(findings.front().category == Category::Limit);

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/polyline.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sample_count.h"
 #include "support/sketches/characters/character.h"
@@ -44,15 +44,8 @@ int percent_read(const HandOptions& hand, std::uint64_t first_seed) {
   return 100 * right / drawings;
 }
 
-std::vector<std::string> codes_of(const Findings& findings) {
-  std::vector<std::string> codes;
-  for (const Finding& finding : findings) codes.push_back(finding.code);
-  return codes;
-}
-
-bool tells(const Drawing& drawing, const std::string& code) {
-  const std::vector<std::string> codes = codes_of(findings_of(drawing, Options::of(Preset::Tablet)));
-  return std::find(codes.begin(), codes.end(), code) != codes.end();
+bool reports(const Drawing& drawing, const std::string& code) {
+  return std::ranges::count(findings_of(drawing, Options::of(Preset::Tablet)), code, &Finding::code) > 0;
 }
 
 /// A circle drawn from an angle on over a share of its circumference, its end aside by a share of it.
@@ -68,18 +61,26 @@ Stroke loop(const Vec2& centre, double radius, double share, double aside) {
   return stroke_of("loop", points);
 }
 
-Drawing of(const std::vector<Stroke>& strokes) {
-  Drawing drawing;
-  drawing.strokes = strokes;
-  return drawing;
-}
-
 /// A line with the samples moved aside by a function of the way along it.
 template <typename Aside>
 Stroke beside(const std::string& id, Aside aside) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 300; ++i) points.emplace_back(100 + 2.5 * i, 300 + 40 * std::sin(0.02 * i) + aside(i));
   return stroke_of(id, points);
+}
+
+/// The share of a stroke that lies in none of the contours.
+double share_outside(const Stroke& stroke, const LabelledDrawing& labelled) {
+  const auto is_within = [&](const StrokeSample& sample) {
+    for (const LabelledFigure& figure : labelled.figures) {
+      for (Index contour = 0; contour < figure.contours.size(); ++contour) {
+        if (winding_number(contour_points(figure, contour), sample.position) % 2 != 0) return true;
+      }
+    }
+    return false;
+  };
+  return 1 - static_cast<double>(std::ranges::count_if(stroke.samples, is_within)) /
+                 static_cast<double>(stroke.samples.size());
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ TEST_CASE("outlines are closed that miss themselves by up to 5 % of their length
     for (const double aside : {-0.03, -0.015, 0.0, 0.015, 0.03}) {
       for (const double radius : {300.0, 3.0}) {
         INFO("drawn over " << share << ", aside by " << aside << ", radius " << radius);
-        CHECK(read_as_meant(of({loop({0, 0}, radius, share, aside)}), circle_sketch().truth));
+        CHECK(read_as_meant(drawing_of({loop({0, 0}, radius, share, aside)}), circle_sketch().truth));
       }
     }
   }
@@ -100,16 +101,16 @@ TEST_CASE("an outline that goes once more over its beginning is closed where it 
     for (const double aside : {-0.003, 0.0, 0.003}) {
       INFO("drawn over " << share << ", aside by " << aside);
       Stroke outline = loop({0, 0}, 300, share, aside);
-      CHECK(read_as_meant(of({outline}), circle_sketch().truth));
-      outline.data["kind"] = "contour";  // what is told of it changes nothing
-      CHECK(read_as_meant(of({outline}), circle_sketch().truth));
+      CHECK(read_as_meant(drawing_of({outline}), circle_sketch().truth));
+      outline.data["kind"] = "contour";  // what is said of it changes nothing
+      CHECK(read_as_meant(drawing_of({outline}), circle_sketch().truth));
     }
   }
 }
 
 TEST_CASE("an outline that lacks up to a third is closed with a word, half of one is a limb") {
   const auto read = [](double share) {
-    return label_quietly(of({loop({0, 0}, 300, share, 0)}), Options::of(Preset::Tablet));
+    return label_quietly(drawing_of({loop({0, 0}, 300, share, 0)}), Options::of(Preset::Tablet));
   };
   for (const double share : {0.78, 0.85, 0.9}) {
     INFO(share);
@@ -139,7 +140,7 @@ TEST_CASE("drawings whose ends miss, whose loops stay open, or that are in piece
   CHECK(percent_read(retraced, 9251) >= 85);
 }
 
-TEST_CASE("drawings of a trembling hand are read as they were meant") {
+TEST_CASE("drawings of an unsteady hand are read as they were meant") {
   HandOptions jitter;
   jitter.jitter = 0.01;
   jitter.closing = 0.02;
@@ -149,7 +150,7 @@ TEST_CASE("drawings of a trembling hand are read as they were meant") {
   CHECK(percent_read(jitter, 9401) >= 80);
 }
 
-TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one another") {
+TEST_CASE("outlines that an unsteady hand lets overlap a little lie beside one another") {
   HandOptions hand;
   hand.jitter = 0.02;
   for (const double overlap : {0.0, 8.0}) {
@@ -169,7 +170,7 @@ TEST_CASE("outlines that a trembling hand lets overlap a little lie beside one a
   }
 }
 
-TEST_CASE("the two sides of something thin that a trembling hand let cross are led beside one another") {
+TEST_CASE("the two sides of something thin that an unsteady hand let cross are led beside one another") {
   DrawingScale scale;
   scale.step = 5;
   // A long shape whose width changes its sign between the places.
@@ -237,10 +238,10 @@ TEST_CASE("ends that run side by side are those of a strand, not of an outline t
   // What it passes behind is missed by 4 %.
   const Stroke strand = stroke_of("strand", points);
   const Stroke front = stroke_of("front", circle_outline({860, 0}, 130), true);
-  CHECK_FALSE(tells(of({strand, front}), "W_GAP"));
+  CHECK_FALSE(reports(drawing_of({strand, front}), "W_GAP"));
 }
 
-TEST_CASE("where a trembling line ends, its direction is that of a longer piece") {
+TEST_CASE("where an unsteady line ends, its direction is that of a longer piece") {
   DrawingScale scale;
   const double wave = 60;
   CleanLine line;
@@ -295,49 +296,22 @@ TEST_CASE("an end near its own start, where the stroke passes behind itself, isn
   }
 }
 
-TEST_CASE("lines drawn over again are told, parallel strands are not") {
+TEST_CASE("lines drawn over again are named, parallel strands are not") {
   const auto straight = [](int) { return 0.0; };
   const Stroke frame = stroke_of("frame", circle_outline({450, 300}, 440), true);
   for (const double wobble : {0.0, 1.0, 2.5}) {
     INFO("over-traced with " << wobble);
     const auto over = [&](int i) { return wobble * std::sin(0.11 * i + 1); };
-    CHECK(tells(of({frame, beside("first", straight), beside("again", over)}), "W_DOUBLE"));
+    CHECK(reports(drawing_of({frame, beside("first", straight), beside("again", over)}), "W_DOUBLE"));
   }
   for (const double apart : {3.0, 4.0, 5.0}) {
     for (const double wobble : {0.0, 0.5, 1.0}) {
       INFO("strands " << apart << " apart, with " << wobble);
       const auto strand = [&](int i) { return apart + wobble * std::sin(0.11 * i + 1); };
-      CHECK_FALSE(tells(of({frame, beside("first", straight), beside("second", strand)}), "W_DOUBLE"));
+      CHECK_FALSE(reports(drawing_of({frame, beside("first", straight), beside("second", strand)}), "W_DOUBLE"));
     }
   }
 }
-
-namespace {
-
-bool is_round(const LabelledFigure& figure, const FigureContour& contour, const Vec2& place) {
-  bool inside = false;
-  for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
-    const Vec2& a = figure.points[contour.vertices[i]];
-    const Vec2& b = figure.points[contour.vertices[(i + 1) % contour.vertices.size()]];
-    if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y()))
-      inside = !inside;
-  }
-  return inside;
-}
-
-/// The share of a stroke that lies in none of the contours.
-double share_outside(const Stroke& stroke, const LabelledDrawing& labelled) {
-  const auto is_within = [&](const StrokeSample& sample) {
-    return std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
-      return std::ranges::any_of(
-          figure.contours, [&](const FigureContour& contour) { return is_round(figure, contour, sample.position); });
-    });
-  };
-  return 1 - static_cast<double>(std::ranges::count_if(stroke.samples, is_within)) /
-                 static_cast<double>(stroke.samples.size());
-}
-
-}  // namespace
 
 TEST_CASE("no line that lies beside its solid is taken for a detail of it") {
   HandOptions hand;

@@ -9,6 +9,7 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/stroke_data.h"
 #include "silhouette/labelled_counts.h"
 #include "support/sketches/characters/character.h"
 #include "support/sketches/characters/rosette.h"
@@ -37,6 +38,30 @@ Sketch stacked(const std::vector<std::vector<Vec2>>& outlines) {
   std::vector<LayeredPart> parts;
   for (const std::vector<Vec2>& outline : outlines) parts.push_back({outline, static_cast<int>(parts.size())});
   return layered_sketch(parts);
+}
+
+Stroke hidden(const std::string& id, const std::vector<Vec2>& points) {
+  Stroke stroke = stroke_of(id, points);
+  stroke.data[silhouette::kind_key] = silhouette::to_string(silhouette::StrokeKind::Hidden);
+  return stroke;
+}
+
+/// Two capsules on both sides of a disc, in line with one another: read as one stick behind it.
+Drawing stick_behind_disc() {
+  return stacked({stick({-320, -60}, {320, 60}, 14), circle_outline({0, 0}, 130)}).drawing;
+}
+
+/// The ends of the open strokes left (-1) or right (+1) of the disc, the lower one first.
+std::vector<Vec2> ends_beside(const Drawing& drawing, double side) {
+  std::vector<Vec2> ends;
+  for (const Stroke& stroke : drawing.strokes) {
+    if (stroke.closed) continue;
+    for (const Vec2& end : {stroke.samples.front().position, stroke.samples.back().position}) {
+      if (end.x() * side > 0) ends.push_back(end);
+    }
+  }
+  std::sort(ends.begin(), ends.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  return ends;
 }
 
 }  // namespace
@@ -104,8 +129,7 @@ TEST_CASE("what is hidden behind a bent part stays behind it") {
                      false);
   std::vector<Vec2> behind;
   for (int i = 0; i <= 200; ++i) behind.push_back(round.at(i / 200.0));
-  Drawing drawing;
-  drawing.strokes = {stroke_of("front", bent, true), stroke_of("behind", behind)};
+  Drawing drawing = drawing_of({stroke_of("front", bent, true), stroke_of("behind", behind)});
   const silhouette::LabelledDrawing labelled =
       label_quietly(drawing, silhouette::Options::of(silhouette::Preset::Tablet));
   CHECK_FALSE(has_errors(labelled.findings));
@@ -152,20 +176,66 @@ TEST_CASE("the two sides of a handle are joined, and those of a neck") {
   CHECK(counts_of(label_quietly(giraffe.drawing)) == counts_of(giraffe.truth));
 }
 
-TEST_CASE("what is drawn tells where a hidden piece would lie in the open") {
+TEST_CASE("what is drawn shows where a hidden piece would lie in the open") {
   silhouette::CleanLine disc;
   disc.points = circle_outline({0, 0}, 100);
   disc.closed = true;
   const auto missing = [](const silhouette::CleanLine& line, int side, const silhouette::Points& piece) {
-    return silhouette::missing_surfaces(SegmentGrid(segments_of(std::vector{line}), 10), {side}, piece);
+    return silhouette::missing_surfaces(SegmentGrid(segments_of_lines(line), 10), {side}, piece);
   };
   CHECK(missing(disc, 1, {{-50, 0}, {0, 30}, {50, 0}}) == 0);
   CHECK(missing(disc, 1, {{-50, 0}, {0, 150}, {50, 0}}) == 1);
   // Behind the disc the piece went behind something else that is hidden there itself.
   CHECK(missing(disc, 1, {{-50, 0}, {0, 150}}) == 0);
   CHECK(missing(disc, 1, {{0, 150}, {-50, 0}, {0, -150}}) == 0);
-  // Of a line whose side nothing tells, nothing is said.
+  // Of a line whose side nothing shows, nothing is said.
   silhouette::CleanLine open = disc;
   open.closed = false;
   CHECK(missing(open, 0, {{-50, 0}, {0, 150}, {50, 0}}) == 0);
+}
+
+TEST_CASE("a hidden stroke is the contour between the two ends that are nearest") {
+  const Drawing plain = stick_behind_disc();
+  REQUIRE(counts_of(label_quietly(plain)).objects == 2);
+  Drawing marked = plain;
+  const std::vector<Vec2> left = ends_beside(plain, -1);
+  REQUIRE(left.size() == 2);
+  // The left piece is a limb of its own, as long as its cap says; drawn a little carelessly.
+  const Vec2 tip(-60, 0.5 * (left[0].y() + left[1].y()) + 12);
+  marked.strokes.push_back(
+      hidden("cap", {left[0] + Vec2(3, 2), tip + Vec2(-10, -13), tip, tip + Vec2(-10, 13), left[1] + Vec2(-2, 3)}));
+  for (const bool reversed : {false, true}) {
+    const silhouette::LabelledDrawing labelled = label_quietly(reversed ? reversed_strokes(marked) : marked);
+    CHECK_FALSE(has_errors(labelled.findings));
+    CHECK(counts_of(labelled).objects == 3);
+    double nearest = 1e9;
+    for (const silhouette::LabelledFigure& figure : labelled.figures) {
+      for (const silhouette::FigureCompletion& completion : figure.completions) {
+        for (const Vec2& point : completion.points) nearest = std::min(nearest, (point - tip).norm());
+      }
+    }
+    CHECK(nearest < 4);
+  }
+}
+
+TEST_CASE("hidden strokes that lead from no end to another are named, and the rest is read without them") {
+  const Drawing plain = stick_behind_disc();
+  const std::vector<Vec2> left = ends_beside(plain, -1);
+  Stroke closed = hidden("closed", circle_outline({0, 0}, 40));
+  closed.closed = true;
+  const Stroke loose = hidden("loose", {{-20, 0}, {20, 10}});
+  const Stroke half = hidden("half", {left[0], {-40, 0}});
+  const Stroke tiny = hidden("tiny", {{0, 0}, {1, 0}});
+  for (const Stroke& stroke : {closed, loose, half, tiny}) {
+    INFO(stroke.id);
+    Drawing drawing = plain;
+    drawing.strokes.push_back(stroke);
+    const silhouette::LabelledDrawing labelled = label_quietly(drawing);
+    const std::string code = stroke.id == "tiny" ? "W_TINY" : "E_HIDDEN_STROKE";
+    REQUIRE(labelled.findings.size() == 1);
+    CHECK(labelled.findings[0].code == code);
+    REQUIRE(labelled.findings[0].subjects.size() == 1);
+    CHECK(labelled.findings[0].subjects[0].id == stroke.id);
+    CHECK(counts_of(labelled).objects == 2);
+  }
 }

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/immersed_triangulation.h"
+#include "algorithms/silhouette/skeleton/immersion.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/predicates.h"
 #include "silhouette/figure_fixtures.h"
@@ -101,14 +101,10 @@ void check_immersion(const LabelledFigure& figure) {
 }  // namespace
 
 TEST_CASE("the immersed triangulation has the contour points alone and is locally Delaunay") {
-  SECTION("disk") { check_immersion(test::disk_figure().figure); }
-  SECTION("ring") { check_immersion(test::ring_figure().figure); }
-  SECTION("capsule") { check_immersion(test::capsule_figure().figure); }
-  SECTION("crossed capsules") { check_immersion(test::crossed_capsules_figure().figure); }
-  SECTION("figure eight") { check_immersion(test::figure_eight_figure().figure); }
-  SECTION("snake") { check_immersion(test::snake_figure().figure); }
-  SECTION("linked rings") { check_immersion(test::linked_rings_figure().figure); }
-  SECTION("trefoil") { check_immersion(test::trefoil_figure().figure); }
+  for (const auto& [name, fixture] : test::all_figures()) {
+    INFO(name);
+    check_immersion(fixture.figure);
+  }
 }
 
 TEST_CASE("points in line are removed without slivers of no area") {

@@ -141,24 +141,17 @@ TEST_CASE("a square with a square hole lifts to an annulus") {
 
 TEST_CASE("the sheets of labelled tubes are bounded by the contours and have the tubes' Euler numbers") {
   struct Row {
-    const char* name;
-    test::FigureFixture fixture;
     std::size_t contours, crossings, hidden_arcs;
     int panels, euler;
   };
-  const std::vector<Row> rows = {
-      {"disk", test::disk_figure(), 1, 0, 0, 1, 1},
-      {"ring", test::ring_figure(), 2, 0, 0, 1, 0},
-      {"capsule", test::capsule_figure(), 1, 0, 0, 1, 1},
-      {"crossed capsules", test::crossed_capsules_figure(), 2, 4, 2, 6, 2},
-      {"figure eight", test::figure_eight_figure(), 2, 4, 2, 4, 0},
-      {"snake", test::snake_figure(), 1, 4, 2, 5, 1},
-      {"linked rings", test::linked_rings_figure(), 4, 8, 4, 8, 0},
-      {"trefoil", test::trefoil_figure(), 2, 12, 6, 12, 0},
-  };
-  for (const Row& row : rows) {
-    INFO(row.name);
-    const LabelledFigure& figure = row.fixture.figure;
+  const std::map<std::string, Row> rows = {{"disk", {1, 0, 0, 1, 1}},         {"ring", {2, 0, 0, 1, 0}},
+                                           {"capsule", {1, 0, 0, 1, 1}},      {"crossed capsules", {2, 4, 2, 6, 2}},
+                                           {"figure eight", {2, 4, 2, 4, 0}}, {"snake", {1, 4, 2, 5, 1}},
+                                           {"linked rings", {4, 8, 4, 8, 0}}, {"trefoil", {2, 12, 6, 12, 0}}};
+  for (const auto& [name, fixture] : test::all_figures()) {
+    INFO(name);
+    const Row& row = rows.at(name);
+    const LabelledFigure& figure = fixture.figure;
     CHECK(figure.contours.size() == row.contours);
     CHECK(figure.crossings.size() == row.crossings);
     if (row.crossings > 0) CHECK(figure.arcs.size() == 2 * row.crossings);

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/figure/figure_search.h"
+#include "algorithms/silhouette/figure/labelling.h"
 #include "support/random.h"
 
 using namespace croquis;
@@ -79,7 +79,7 @@ TEST_CASE("no nodes have one empty matching, an odd number none") {
   CHECK_FALSE(MatchingSearch(3, {{0, 1, 1.0}, {1, 2, 1.0}}, 10).next().has_value());
 }
 
-TEST_CASE("a matching search tells when it stops early") {
+TEST_CASE("a matching search knows when it stops early") {
   Random random(5);
   MatchingSearch search(20, random_edges(random, 20, 1.0), 5);
   while (search.next()) {

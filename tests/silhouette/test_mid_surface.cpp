@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "algorithms/silhouette/surface/mid_surface.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "silhouette/figure_fixtures.h"
@@ -20,7 +19,7 @@ struct Stage {
 
   Stage(const test::FigureFixture& fixture, double height_per_layer) {
     Progress progress;
-    skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    skeleton = test::skeleton_of(fixture.figure);
     sheets = sample_sheets(fixture.figure, skeleton, progress);
     op = make_sheet_operator(sheets);
     data.nodes = locate_nodes(fixture.figure, skeleton, sheets);

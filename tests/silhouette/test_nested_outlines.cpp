@@ -4,33 +4,22 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"
-#include "support/sketches/characters/character.h"
+#include "silhouette/labelled_counts.h"
+#include "silhouette/solids.h"
 #include "support/sketches/sketch_layers.h"
 #include "support/sketches/sketch_modifiers.h"
 
 namespace croquis::silhouette {
 namespace {
 
-using test::Character;
-
-LabelledDrawing read(const Drawing& drawing) {
-  Progress progress;
-  return label(drawing, {}, progress);
-}
-
-Character character_of(const std::string& name) {
-  for (const Character& character : test::all_characters()) {
-    if (character.name == name) return character;
-  }
-  throw std::logic_error("no character is called " + name);
-}
+using test::euler_numbers;
+using test::label_quietly;
 
 /// What each nested stroke was read as.
 std::map<std::string, std::string> readings(const Drawing& drawing) {
   std::map<std::string, std::string> read_as;
-  for (const LabelledFigure& figure : read(drawing).figures) {
+  for (const LabelledFigure& figure : label_quietly(drawing).figures) {
     for (const NestedOutline& nested : figure.nested) {
       read_as[drawing.strokes[nested.stroke].id] = nested.hole ? "hole" : "part";
     }
@@ -38,20 +27,9 @@ std::map<std::string, std::string> readings(const Drawing& drawing) {
   return read_as;
 }
 
-std::vector<int> euler_numbers(const LabelledDrawing& labelled) {
-  std::vector<int> numbers;
-  for (const LabelledFigure& figure : labelled.figures) {
-    for (const FigureObject& object : figure.objects) numbers.push_back(object.euler_region);
-  }
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
-}
-
 /// A shape with another one in it.
 Drawing pair_of(const std::vector<Vec2>& outer, const std::vector<Vec2>& inner) {
-  Drawing drawing;
-  drawing.strokes = {test::stroke_of("outer", outer, true), test::stroke_of("inner", inner, true)};
-  return drawing;
+  return test::drawing_of({test::stroke_of("outer", outer, true), test::stroke_of("inner", inner, true)});
 }
 
 Drawing ring() { return pair_of(test::circle_outline({0, 0}, 200), test::circle_outline({0, 0}, 120)); }
@@ -66,10 +44,10 @@ TEST_CASE("eyes, bellies and buttons are parts in front; rings of even width go 
                            "snowman", "whale",  "doughnut", "mug in one line",
                            "glasses", "key",    "scissors", "bone through a ring"}) {
     INFO(name);
-    const test::Sketch sketch = character_sketch(character_of(name));
+    const test::Sketch sketch = test::character_named(name);
     std::vector<int> expected = sketch.truth.euler_region;
     std::sort(expected.begin(), expected.end());
-    const LabelledDrawing labelled = read(sketch.drawing);
+    const LabelledDrawing labelled = label_quietly(sketch.drawing);
     CHECK(euler_numbers(labelled) == expected);
     const bool has_hole = std::find(holes.begin(), holes.end(), name) != holes.end();
     CHECK((expected.front() < 1) == has_hole);
@@ -80,7 +58,7 @@ TEST_CASE("how a nested outline is read doesn't depend on place, size, view or o
   const auto turn = Eigen::Affine2d(Eigen::Rotation2Dd(0.7)) * Eigen::Scaling(0.01);
   for (const char* name : {"teddy", "car", "penguin", "mug in one line", "rocket", "scissors"}) {
     INFO(name);
-    const test::Sketch sketch = character_sketch(character_of(name));
+    const test::Sketch sketch = test::character_named(name);
     const auto expected = readings(sketch.drawing);
     CHECK(!expected.empty());
     CHECK(readings(test::transformed(sketch, Eigen::Affine2d(turn)).drawing) == expected);
@@ -104,15 +82,15 @@ TEST_CASE("a ring is a ring at any width, until it is a small thing on a big one
 }
 
 TEST_CASE("what a stroke says of itself counts more than its shape") {
-  Drawing told = ring();
-  told.strokes[1].data["kind"] = "part";
-  CHECK(euler_numbers(read(told)) == std::vector<int>{1, 1});
-  CHECK(read(told).findings.empty());
-  told.strokes[1].data["kind"] = "hole";
-  CHECK(euler_numbers(read(told)) == std::vector<int>{0});
-  told = eye();
-  told.strokes[1].data["kind"] = "hole";
-  CHECK(euler_numbers(read(told)) == std::vector<int>{0});
+  Drawing marked = ring();
+  marked.strokes[1].data["kind"] = "part";
+  CHECK(euler_numbers(label_quietly(marked)) == std::vector<int>{1, 1});
+  CHECK(label_quietly(marked).findings.empty());
+  marked.strokes[1].data["kind"] = "hole";
+  CHECK(euler_numbers(label_quietly(marked)) == std::vector<int>{0});
+  marked = eye();
+  marked.strokes[1].data["kind"] = "hole";
+  CHECK(euler_numbers(label_quietly(marked)) == std::vector<int>{0});
 }
 
 TEST_CASE("outlines of different objects are no holes of each other, those of one object are") {
@@ -135,11 +113,11 @@ TEST_CASE("what lies in a hole is a part of its own, and what lies on that is ju
   CHECK(read_as.at("inner") == "hole");
   CHECK_FALSE(read_as.contains("ball"));
   CHECK(read_as.at("spot") == "part");
-  CHECK(euler_numbers(read(target)) == std::vector<int>{0, 1, 1});
+  CHECK(euler_numbers(label_quietly(target)) == std::vector<int>{0, 1, 1});
 }
 
-TEST_CASE("how a nested outline was read is told, with its name and the other reading") {
-  const Findings findings = read(eye()).findings;
+TEST_CASE("how a nested outline was read is reported, with its name and the other reading") {
+  const Findings findings = label_quietly(eye()).findings;
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "W_NESTED");
   CHECK(findings[0].severity == Severity::Info);
@@ -150,7 +128,7 @@ TEST_CASE("how a nested outline was read is told, with its name and the other re
 TEST_CASE("a kind that is none is refused by name") {
   Drawing wrong = eye();
   wrong.strokes[1].data["kind"] = "wart";
-  const Findings findings = read(wrong).findings;
+  const Findings findings = label_quietly(wrong).findings;
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "E_NOT_SUPPORTED");
   CHECK(findings[0].message.find("\"wart\"") != std::string::npos);

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/joining/part_joining.h"
-#include "croquis/geometry/mesh_report.h"
+#include "algorithms/silhouette/joining/joining.h"
+#include "silhouette/solids.h"
 #include "support/meshes/mesh_shapes.h"
 
 using namespace croquis;
@@ -30,11 +30,8 @@ PartJoining joined(const std::vector<PolyMesh>& meshes, const std::vector<Object
 }
 
 void check_sound(const PolyMesh& mesh) {
-  Progress progress;
-  const MeshReport figures = inspect(mesh, true, progress);
-  CHECK(figures.closed);
-  CHECK(figures.components == 1);
-  CHECK(figures.self_intersections == std::size_t{0});
+  test::check_sound(mesh);
+  CHECK(test::report_of(mesh).components == 1);
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ TEST_CASE("parts are joined along their pairs, the largest first") {
   check_sound(result.groups.front().mesh);
 }
 
-TEST_CASE("a pair that doesn't meet is told and the others are joined") {
+TEST_CASE("a pair that doesn't meet is named and the others are joined") {
   const PartJoining result =
       joined({ball_at({0, 0, 0}, 2), ball_at({2.6, 0.1, 0}, 1), ball_at({9, 0, 0}, 1)}, {{0, 1}, {0, 2}, {1, 2}});
   REQUIRE(result.failed.size() == 2);
@@ -60,7 +57,7 @@ TEST_CASE("a pair that doesn't meet is told and the others are joined") {
   check_sound(result.groups.front().mesh);
 }
 
-TEST_CASE("a pair without a sound union is told and the others are joined") {
+TEST_CASE("a pair without a sound union is named and the others are joined") {
   // Two boxes that share a piece of one edge only: their union is no manifold.
   PolyMesh box = test::triangulated(test::cube());
   PolyMesh other = box;

@@ -10,15 +10,14 @@
 #include "algorithms/silhouette/reading/connections.h"
 #include "algorithms/silhouette/reading/envelope.h"
 #include "algorithms/silhouette/reading/reading_program.h"
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/polyline.h"
-#include "croquis/geometry/triangle_tree.h"
-#include "croquis/silhouette/solid.h"
-#include "labelled_counts.h"
+#include "silhouette/labelled_counts.h"
+#include "silhouette/solids.h"
 #include "support/random.h"
 #include "support/sample_count.h"
+#include "support/sketches/characters/character.h"
 #include "support/sketches/sketch_gallery.h"
 #include "support/sketches/sketch_generator.h"
 #include "support/sketches/sketch_modifiers.h"
@@ -107,10 +106,25 @@ std::map<std::string, StrokeKind> kinds_by_id(const Drawing& drawing, const Labe
 
 LabelledDrawing read(const Drawing& drawing) { return label_quietly(drawing, Options::of(Preset::Tablet)); }
 
-Solid solid_of(const Drawing& drawing) {
-  Progress progress;
-  const Options options = Options::of(Preset::Tablet);
-  return inflate(label(drawing, options, progress), drawing, options, progress);
+Solid solid_read(const Drawing& drawing) { return test::solid_of(drawing, Options::of(Preset::Tablet)); }
+
+Stroke of_kind(Stroke stroke, StrokeKind kind) {
+  stroke.data[kind_key] = to_string(kind);
+  return stroke;
+}
+
+/// A body of half axes 200 and 90, whose belly is `belly(x)`.
+double belly(double x) { return -90 * std::sqrt(1 - x * x / (200.0 * 200)); }
+
+Stroke oval(const std::string& id, const Vec2& centre, const Vec2& axes) {
+  return stroke_of(id, test::ellipse(centre, axes.x(), axes.y()), true);
+}
+
+Drawing with_body(const Vec2& axes) { return drawing_of({oval("body", {0, 0}, axes)}); }
+
+bool lies_within(const Envelope& envelope, const Vec2& place) {
+  return std::ranges::any_of(envelope.regions,
+                             [&](const EnclosedRegion& region) { return encloses(region.outline, place); });
 }
 
 /// Every stroke in pieces that begin where the last one ended.
@@ -194,9 +208,9 @@ TEST_CASE("the kind that a stroke is given holds") {
   for (const StrokeKind kind : {StrokeKind::Detail, StrokeKind::Tube, StrokeKind::Ignored, StrokeKind::Scribble}) {
     for (const std::string id : {"tube-leg-1", "detail-mouth", "tube-tail"}) {
       Drawing pet = PetDrawing(2).take();
-      const auto stroke = std::ranges::find(pet.strokes, id, &Stroke::id);
-      stroke->data[kind_key] = to_string(kind);
-      INFO(id << " told to be " << to_string(kind));
+      Stroke& stroke = *std::ranges::find(pet.strokes, id, &Stroke::id);
+      stroke = of_kind(stroke, kind);
+      INFO(id << " set to be " << to_string(kind));
       const LabelledDrawing labelled = read(pet);
       CHECK(kinds_by_id(pet, labelled).at(id) == kind);
       CHECK(std::ranges::none_of(labelled.findings, [&](const Finding& finding) {
@@ -206,15 +220,10 @@ TEST_CASE("the kind that a stroke is given holds") {
   }
 }
 
-TEST_CASE("what is told to be ignored isn't missed in the solid") {
-  Drawing drawing;
-  for (const auto& [id, radius] : {std::pair("table", 400.0), std::pair("mug", 100.0)}) {
-    std::vector<Vec2> points;
-    for (int i = 0; i < 90; ++i) points.emplace_back(radius * std::cos(i * pi / 45), radius * std::sin(i * pi / 45));
-    drawing.strokes.push_back(stroke_of(id, points, true));
-  }
-  drawing.strokes.front().data[kind_key] = to_string(StrokeKind::Ignored);
-  const Solid solid = solid_of(drawing);
+TEST_CASE("what is set to be ignored isn't missed in the solid") {
+  Drawing drawing =
+      drawing_of({of_kind(oval("table", {0, 0}, {400, 400}), StrokeKind::Ignored), oval("mug", {0, 0}, {100, 100})});
+  const Solid solid = solid_read(drawing);
   CHECK_FALSE(has_errors(solid.findings));
   CHECK(solid.objects.size() == 1);
   CHECK(solid.used == Approx(0.2));
@@ -223,8 +232,8 @@ TEST_CASE("what is told to be ignored isn't missed in the solid") {
 TEST_CASE("where all lines are set to be ignored, one sentence says so") {
   Drawing drawing;
   for (const char* id : {"one", "other"}) {
-    drawing.strokes.push_back(stroke_of(id, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, true));
-    drawing.strokes.back().data[kind_key] = to_string(StrokeKind::Ignored);
+    const std::vector<Vec2> square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    drawing.strokes.push_back(of_kind(stroke_of(id, square, true), StrokeKind::Ignored));
   }
   try {
     read(drawing);
@@ -239,7 +248,7 @@ TEST_CASE("where all lines are set to be ignored, one sentence says so") {
 TEST_CASE("limbs of one line grow out of the body, and details lie on its front") {
   for (std::uint64_t seed = 3; seed < 5; ++seed) {
     const Drawing pet = PetDrawing(seed).take();
-    const Solid solid = solid_of(pet);
+    const Solid solid = solid_read(pet);
     CHECK_FALSE(has_errors(solid.findings));
     const auto of_body =
         std::ranges::find_if(solid.shells, [&](const SolidShell& shell) { return shell.objects.size() > 1; });
@@ -247,13 +256,7 @@ TEST_CASE("limbs of one line grow out of the body, and details lie on its front"
     REQUIRE(of_body != solid.shells.end());
     CHECK(of_body->objects.size() == 6);  // four legs and a tail
     CHECK(of_body->euler_mesh == 2);
-    std::vector<std::array<Vec3, 3>> triangles;
-    for (Index f = 0; f < solid.mesh.face_count(); ++f) {
-      const auto corners = solid.mesh.face(f);
-      triangles.push_back(
-          {solid.mesh.positions[corners[0]], solid.mesh.positions[corners[1]], solid.mesh.positions[corners[2]]});
-    }
-    const TriangleTree tree(std::move(triangles));
+    const TriangleTree tree = test::tree_of(solid.mesh);
     REQUIRE(!solid.lines.empty());
     const double far = diagonal(pet);
     for (const SurfaceLine& line : solid.lines) {
@@ -310,7 +313,7 @@ TEST_CASE("what leaves an outline of tufts outwards is a limb, what leaves it in
   for (double y = 125; y >= 0; y -= 5) curl.emplace_back(curl.back().x(), y);
   drawing.strokes.push_back(stroke_of("leg", leg));
   drawing.strokes.push_back(stroke_of("curl", curl));
-  const Solid solid = solid_of(drawing);
+  const Solid solid = solid_read(drawing);
   CHECK(kinds_by_id(drawing, read(drawing))["leg"] == StrokeKind::Tube);
   CHECK(std::ranges::min(solid.mesh.positions, {}, [](const Vec3& p) { return p.y(); }).y() < -230);
   double shown = 0;
@@ -324,9 +327,9 @@ TEST_CASE("what leaves an outline of tufts outwards is a limb, what leaves it in
 TEST_CASE("ends that meet are joined at the least cost, and cheaper the nearer they are") {
   double last = -1;
   for (const double gap : {1.0, 5.0, 20.0, 40.0}) {
-    Drawing drawing;
-    drawing.strokes = {stroke_of("a", {{0, 0}, {100, 0}, {400, 0}}),
-                       stroke_of("b", {{400 + gap, 0}, {600, 0}, {900, 0}}), stroke_of("c", {{400, 300}, {600, 500}})};
+    Drawing drawing =
+        drawing_of({stroke_of("a", {{0, 0}, {100, 0}, {400, 0}}), stroke_of("b", {{400 + gap, 0}, {600, 0}, {900, 0}}),
+                    stroke_of("c", {{400, 300}, {600, 500}})});
     const SampledDrawing sampled = sample_strokes(drawing, Options::of(Preset::Tablet).strokes);
     const Connections found = find_connections(sampled.strokes, sampled.scale, Progress{});
     const auto cheapest = std::ranges::min_element(found.joins, {}, &EndJoin::cost);
@@ -338,38 +341,8 @@ TEST_CASE("ends that meet are joined at the least cost, and cheaper the nearer t
   }
 }
 
-namespace {
-
-bool lies_within(const Envelope& envelope, const Vec2& place) {
-  return std::ranges::any_of(envelope.regions, [&](const EnclosedRegion& region) {
-    bool inside = false;
-    for (std::size_t i = 0; i < region.outline.size(); ++i) {
-      const Vec2& a = region.outline[i];
-      const Vec2& b = region.outline[(i + 1) % region.outline.size()];
-      if ((a.y() > place.y()) != (b.y() > place.y()) && (cross(b - a, place - a) > 0) == (b.y() > a.y())) {
-        inside = !inside;
-      }
-    }
-    return inside;
-  });
-}
-
-/// An ellipse of half axes 200 and 90 whose belly is `belly(x)`.
-double belly(double x) { return -90 * std::sqrt(1 - x * x / (200.0 * 200)); }
-
-Stroke ellipse(const std::string& id, const Vec2& centre, const Vec2& axes, double degrees = 360) {
-  std::vector<Vec2> points;
-  for (double at = 0; at < degrees; at += 3) {
-    points.emplace_back(centre + Vec2(axes.x() * std::cos(at * pi / 180), axes.y() * std::sin(at * pi / 180)));
-  }
-  return stroke_of(id, points, degrees == 360);
-}
-
-}  // namespace
-
 TEST_CASE("lines with hidden ends that cross in full view are not both contours in another reading") {
-  Drawing drawing;
-  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+  Drawing drawing = with_body({200, 90});
   for (const double x : {-40.0, 0.0}) {  // legs that overlap
     std::vector<Vec2> leg{{x, belly(x)}};
     for (int i = 0; i <= 12; ++i) {
@@ -405,8 +378,7 @@ TEST_CASE("what lies between two legs is outside, however near their feet are") 
   for (const double between : {8.0, 15.0, 25.0}) {
     for (const double width : {20.0, 30.0}) {
       INFO(between << " between legs of width " << width);
-      Drawing drawing;
-      drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+      Drawing drawing = with_body({200, 90});
       std::vector<Vec2> middles, gaps;
       for (const double x : {-110.0, 60.0}) {
         for (int leg = 0; leg < 2; ++leg) {
@@ -429,8 +401,7 @@ TEST_CASE("what lies between two legs is outside, however near their feet are") 
 TEST_CASE("two lines that leave the foot open are one leg") {
   for (const double width : {20.0, 28.0, 36.0}) {
     INFO(width);
-    Drawing drawing;
-    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 90}));
+    Drawing drawing = with_body({200, 90});
     for (const double x : {-60.0, 60.0}) {
       drawing.strokes.push_back(stroke_of("front" + std::to_string(x), {{x, belly(x) - 2}, {x, -205}}));
       drawing.strokes.push_back(
@@ -446,18 +417,16 @@ TEST_CASE("two lines that leave the foot open are one leg") {
 TEST_CASE("a head beside its body grows out of it where parts are attached") {
   for (const double gap : {-2.0, 0.0, 3.0, 9.0}) {
     INFO("gap " << gap);
-    Drawing drawing;
-    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
-    drawing.strokes.push_back(ellipse("head", {-200 - gap - 60, 0}, {60, 60}, 357));
+    Drawing drawing = with_body({200, 120});
+    std::vector<Vec2> head = test::ellipse({-200 - gap - 60, 0}, 60, 60);
+    head.pop_back();
+    drawing.strokes.push_back(stroke_of("head", head));
     drawing.strokes.push_back(stroke_of("eye", {{-280, 15}, {-272, 25}, {-265, 17}}));
+    CHECK(solid_read(drawing).shells.size() == 2);
     Options options = Options::of(Preset::Tablet);
-    Progress progress;
-    const Solid apart = inflate(label(drawing, options, progress), drawing, options, progress);
-    CHECK(apart.shells.size() == 2);
     options.attach_suggested = true;
-    const LabelledDrawing labelled = label(drawing, options, progress);
-    CHECK(labelled.crossings.empty());
-    const Solid together = inflate(labelled, drawing, options, progress);
+    CHECK(label_quietly(drawing, options).crossings.empty());
+    const Solid together = test::solid_of(drawing, options);
     CHECK_FALSE(has_errors(together.findings));
     REQUIRE(together.shells.size() == 1);
     CHECK(together.shells.front().euler_mesh == 2);
@@ -465,20 +434,16 @@ TEST_CASE("a head beside its body grows out of it where parts are attached") {
 }
 
 TEST_CASE("what is made of several lines beside something larger is a thing of its own") {
-  Drawing drawing;
-  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
-  drawing.strokes.push_back(ellipse("apple", {-265, 0}, {60, 60}));
+  Drawing drawing = with_body({200, 120});
+  drawing.strokes.push_back(oval("apple", {-265, 0}, {60, 60}));
   drawing.strokes.push_back(stroke_of("stalk", {{-275, 60}, {-280, 110}, {-265, 110}, {-262, 60}}));
   Options options = Options::of(Preset::Tablet);
   options.attach_suggested = true;
-  Progress progress;
-  const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
-  CHECK(solid.shells.size() == 2);
+  CHECK(test::solid_of(drawing, options).shells.size() == 2);
 }
 
 TEST_CASE("a dot on a surface is a detail, and one beside it is left out by name") {
-  Drawing drawing;
-  drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+  Drawing drawing = with_body({200, 120});
   drawing.strokes.push_back(stroke_of("eye", {{-100, 30}, {-99, 31}, {-98, 30}}));
   drawing.strokes.push_back(stroke_of("speck", {{260, 30}, {261, 31}, {262, 30}}));
   const LabelledDrawing labelled = read(drawing);
@@ -486,16 +451,14 @@ TEST_CASE("a dot on a surface is a detail, and one beside it is left out by name
   REQUIRE(labelled.findings.size() == 1);
   CHECK(labelled.findings.front().code == "W_TINY");
   CHECK(strokes_named(labelled.findings.front()) == std::vector<std::string>{"speck"});
-  const Solid solid = solid_of(drawing);
+  const Solid solid = solid_read(drawing);
   REQUIRE(solid.lines.size() == 1);
   CHECK(drawing.strokes[solid.lines.front().stroke].id == "eye");
 }
 
 TEST_CASE("a dot is named though nothing else of its drawing can be read") {
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("line", {{0, 0}, {100, 0}, {400, 0}}));
-  drawing.strokes.back().data["kind"] = "detail";
-  drawing.strokes.push_back(stroke_of("speck", {{200, 50}, {201, 51}, {202, 50}}));
+  Drawing drawing = drawing_of({of_kind(stroke_of("line", {{0, 0}, {100, 0}, {400, 0}}), StrokeKind::Detail),
+                                stroke_of("speck", {{200, 50}, {201, 51}, {202, 50}})});
   const Findings findings = findings_of(drawing);
   REQUIRE(findings.size() == 2);
   CHECK(findings[0].code == "W_TINY");
@@ -504,12 +467,10 @@ TEST_CASE("a dot is named though nothing else of its drawing can be read") {
 
 TEST_CASE("a few spots on a body are parts of it, many are its pattern") {
   for (const auto& [count, kind] : {std::pair(3, StrokeKind::Blob), std::pair(12, StrokeKind::Detail)}) {
-    Drawing drawing;
-    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+    Drawing drawing = with_body({200, 120});
     for (int spot = 0; spot < count; ++spot) {
       const double at = 2 * pi * spot / count;
-      drawing.strokes.push_back(
-          ellipse("spot" + std::to_string(spot), {120 * std::cos(at), 70 * std::sin(at)}, {14, 12}));
+      drawing.strokes.push_back(oval("spot" + std::to_string(spot), {120 * std::cos(at), 70 * std::sin(at)}, {14, 12}));
     }
     const LabelledDrawing labelled = read(drawing);
     INFO(count << " spots");
@@ -539,8 +500,7 @@ TEST_CASE("an animal of sticks alone is a solid, and a letter beside it is none"
 
 TEST_CASE("two lines within an outline that leave a wide gap are drawn on it") {
   for (const double apart : {40.0, 70.0}) {
-    Drawing drawing;
-    drawing.strokes.push_back(ellipse("body", {0, 0}, {200, 120}));
+    Drawing drawing = with_body({200, 120});
     for (const double side : {1.0, -1.0}) {
       std::vector<Vec2> points;
       for (int i = 0; i <= 40; ++i) {

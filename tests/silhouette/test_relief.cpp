@@ -10,18 +10,16 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/edge_middles.h"
-#include "algorithms/silhouette/relief.h"
 #include "algorithms/silhouette/solid_lines.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/silhouette/solid.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sketches/sketch_modifiers.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::report_of;
 
 namespace {
 
@@ -48,12 +46,7 @@ Stroke outline_of(const std::string& id, const Vec2& centre, const Vec2& axes, c
   return stroke;
 }
 
-struct NamedDrawing {
-  std::string name;
-  Drawing drawing;
-};
-
-std::vector<NamedDrawing> detailed_drawings() {
+std::vector<std::pair<std::string, Drawing>> detailed_drawings() {
   Drawing face, ring, pair, fur;
   face.strokes = {outline_of("head", {0, 0}, {150, 150}),
                   stroke_of_kind("mouth", arc_points({0, 0}, {70, 70}, 200, 340), "detail"),
@@ -73,13 +66,7 @@ Solid solid_of(const Drawing& drawing, DetailShape shape, Quality quality = Qual
   Options options;
   options.details.shape = shape;
   options.quality = quality;
-  Progress progress;
-  return inflate(label(drawing, options, progress), drawing, options, progress);
-}
-
-MeshReport report_of(const PolyMesh& mesh) {
-  Progress progress;
-  return inspect(mesh, true, progress);
+  return test::solid_of(drawing, options);
 }
 
 double volume_of(const Solid& solid) { return report_of(solid.mesh).volume.value(); }
@@ -131,11 +118,8 @@ TEST_CASE("edges that are cut leave no gap, and parts of faces carry what the fa
   const auto is_cut = [](Index, const Vec3& a, const Vec3& b) { return (a + b).x() > 0.3 * (a + b).y(); };
   REQUIRE(cut_edges(mesh, is_cut));
   const MeshReport after = report_of(mesh);
-  CHECK(after.closed);
-  CHECK(after.oriented);
+  test::check_sound(mesh);
   CHECK(after.euler_characteristic == before.euler_characteristic);
-  CHECK(after.degenerate_faces == 0);
-  CHECK(after.self_intersections == std::size_t{0});
   CHECK(*after.volume == Approx(*before.volume));
   CHECK(after.area == Approx(before.area));
   CHECK(mesh.face_count() > whole.face_count());
@@ -162,15 +146,10 @@ TEST_CASE("details as grooves and ridges leave a solid sound and its outline as 
     for (const DetailShape shape : {DetailShape::Groove, DetailShape::Ridge}) {
       const Solid solid = solid_of(drawing, shape);
       const MeshReport before = report_of(plain.mesh), after = report_of(solid.mesh);
+      test::check_sound(solid.mesh);
       CHECK(solid.carved == plain.lines.size());
       CHECK(solid.lines.empty());
       CHECK(solid.used == plain.used);
-      CHECK(after.closed);
-      CHECK(after.oriented);
-      CHECK(after.nonmanifold_edges == 0);
-      CHECK(after.nonmanifold_vertices == 0);
-      CHECK(after.degenerate_faces == 0);
-      CHECK(after.self_intersections == std::size_t{0});
       CHECK(after.euler_characteristic == before.euler_characteristic);
       CHECK(after.components == before.components);
       CHECK((shape == DetailShape::Ridge) == (*after.volume > *before.volume));
@@ -207,7 +186,7 @@ TEST_CASE("drafts get grooves too") {
 }
 
 TEST_CASE("grooves scale with the drawing and are mirrored with it") {
-  const Drawing drawing = detailed_drawings().front().drawing;
+  const Drawing drawing = detailed_drawings().front().second;
   const auto cut_away = [](const Drawing& drawn) {
     return volume_of(solid_of(drawn, DetailShape::Line)) - volume_of(solid_of(drawn, DetailShape::Groove));
   };
@@ -217,11 +196,10 @@ TEST_CASE("grooves scale with the drawing and are mirrored with it") {
 }
 
 TEST_CASE("without grooves and ridges their width changes nothing") {
-  const Drawing drawing = detailed_drawings().front().drawing;
+  const Drawing drawing = detailed_drawings().front().second;
   Options wide;
   wide.details.width = 30;
-  Progress progress;
-  const Solid solid = inflate(label(drawing, wide, progress), drawing, wide, progress);
+  const Solid solid = test::solid_of(drawing, wide);
   const Solid plain = solid_of(drawing, DetailShape::Line);
   CHECK(solid.mesh.positions == plain.mesh.positions);
   CHECK(solid.mesh.corners == plain.mesh.corners);

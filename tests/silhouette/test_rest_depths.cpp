@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <string>
@@ -10,12 +9,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/skeleton/overlap_cycles.h"
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/silhouette/solid.h"
 #include "silhouette/part_depths.h"
+#include "silhouette/solids.h"
 #include "support/random.h"
 #include "support/sample_count.h"
 #include "support/sketches/characters/character.h"
@@ -23,52 +20,24 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::PartDepth;
 
 namespace {
 
-struct Reach {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double z) {
-    low = std::min(low, z);
-    high = std::max(high, z);
-  }
-  double depth() const { return high - low; }
-  double middle() const { return (low + high) / 2; }
-};
-
 /// @param held as suggested; parts aren't united then, so that each can be measured
 Solid solid_of(const Drawing& drawing, bool held = false) {
-  Progress progress;
   Options options;
   options.attach_suggested = held;
   if (held) options.quality = Quality::Draft;
-  return inflate(label(drawing, options, progress), drawing, options, progress);
+  return test::solid_of(drawing, options);
 }
 
-/// By the names of objects.
-std::map<std::string, Reach> reaches(const Solid& solid) {
-  std::map<std::string, Reach> result;
-  const AttributeChannel& channel = *solid.mesh.channel("object", Domain::Face);
-  const auto& objects = std::get<std::vector<std::int32_t>>(channel.data);
-  for (std::size_t f = 0; f < solid.mesh.face_count(); ++f) {
-    Reach& reach = result[channel.labels[static_cast<std::size_t>(objects[f])]];
-    for (const Index v : solid.mesh.face(f)) reach.add(solid.mesh.positions[v].z());
-  }
-  return result;
+std::map<std::string, PartDepth> reaches(const Drawing& drawing, bool held = false) {
+  return test::depths_by_name(solid_of(drawing, held));
 }
 
-test::Sketch sketch_of(const std::string& character) {
-  for (const test::Character& one : test::all_characters()) {
-    if (one.name == character) return test::character_sketch(one);
-  }
-  FAIL("no character " << character);
-  return {};
-}
-
-std::map<std::string, Reach> reaches(const std::string& character, bool held = false) {
-  return reaches(solid_of(sketch_of(character).drawing, held));
+std::map<std::string, PartDepth> reaches(const std::string& character, bool held = false) {
+  return reaches(test::character_named(character).drawing, held);
 }
 
 /// Objects with one node each.
@@ -137,8 +106,8 @@ TEST_CASE("a small thing before, behind or beside a body leaves it as deep as it
     const Vec2 rim(200 * width * std::cos(angle), 200 * std::sin(angle));
     const std::vector<Vec2> worm = test::limb_outline({0.6 * rim, 1.3 * rim}, {radius, radius});
     const std::vector<Vec2> body = test::ellipse({0, 0}, 200 * width, 200);
-    const std::map<std::string, Reach> parts =
-        reaches(solid_of(test::layered_sketch({{body, 1}, {worm, seed % 2 == 0 ? 2 : 0}}).drawing));
+    const std::map<std::string, PartDepth> parts =
+        reaches(test::layered_sketch({{body, 1}, {worm, seed % 2 == 0 ? 2 : 0}}).drawing);
     REQUIRE(parts.size() == 2);
     double deepest = 0;
     for (const auto& [name, reach] : parts) deepest = std::max(deepest, reach.depth());
@@ -152,7 +121,7 @@ TEST_CASE("a ball with a ring round it, a needle behind it or an eye on it stays
   const test::TubeStrand ball = test::bar({-1, 0}, {1, 0}, 200, level(0));
   const auto check = [](const Solid& solid) {
     double deepest = 0;
-    for (const auto& [name, reach] : reaches(solid)) deepest = std::max(deepest, reach.depth());
+    for (const auto& [name, reach] : test::depths_by_name(solid)) deepest = std::max(deepest, reach.depth());
     CHECK(deepest / 401 > 0.9);
     CHECK(deepest / 401 < 1.1);
   };
@@ -174,7 +143,7 @@ TEST_CASE("a ball with a ring round it, a needle behind it or an eye on it stays
         [=](double) { return std::min(radius, 15.0); }, [=](double t) { return -std::sin(turn(t)); }};
     const Solid saturn = solid_of(test::tube_sketch({ball, ring}).drawing);
     // The ring is bent round the ball, and deeper.
-    const std::map<std::string, Reach> parts = reaches(saturn);
+    const std::map<std::string, PartDepth> parts = test::depths_by_name(saturn);
     REQUIRE(parts.size() == 2);
     const bool found = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
       return part.second.depth() > 0.9 * 401 && part.second.depth() < 1.1 * 401;
@@ -216,9 +185,7 @@ TEST_CASE("legs that grow out of a body mirror each other, too, as far as they r
 
 TEST_CASE("limbs that like ones draw out of their body go no farther than they reach") {
   DepthSettings settings;
-  settings.attachments.add(0, 1, 0.5);
-  settings.attachments.add(0, 2, 0.5);
-  settings.attachments.add(0, 3, 0.5);
+  for (const Index limb : {1U, 2U, 3U}) settings.attachments.held[{0, limb}] = {Hold::Joined, 0.5};
   const ObjectBounds bounds{{{1, 0}, {9, 12}}, {{0, 2}, {3, 8}}, {{0, 3}, {4, 20}}};
   const std::vector<double> heights = rest({10, 3, 3, 3}, bounds, settings);
   CHECK(heights[1] - heights[0] == Approx(9).epsilon(0.01));
@@ -228,19 +195,16 @@ TEST_CASE("limbs that like ones draw out of their body go no farther than they r
 
 TEST_CASE("depths turn, are mirrored and grow with the drawing") {
   for (const char* name : {"elephant", "pancakes", "flower"}) {
-    const test::Sketch sketch = sketch_of(name);
-    const std::map<std::string, Reach> drawn = reaches(solid_of(sketch.drawing));
-    Reach all;
-    for (const auto& [part, reach] : drawn) {
-      all.add(reach.low);
-      all.add(reach.high);
-    }
+    const test::Sketch sketch = test::character_named(name);
+    const Solid solid = solid_of(sketch.drawing);
+    const double depth = test::depth_of(solid.mesh);
+    const std::map<std::string, PartDepth> drawn = test::depths_by_name(solid);
     const auto check = [&](const test::Sketch& other, double factor) {
-      const std::map<std::string, Reach> parts = reaches(solid_of(other.drawing));
+      const std::map<std::string, PartDepth> parts = reaches(other.drawing);
       REQUIRE(parts.size() == drawn.size());
       for (const auto& [part, reach] : drawn) {
         INFO(name << " " << part);
-        const double tolerance = 0.01 * factor * all.depth();
+        const double tolerance = 0.01 * factor * depth;
         CHECK(parts.at(part).middle() == Approx(factor * reach.middle()).margin(tolerance));
         CHECK(parts.at(part).depth() == Approx(factor * reach.depth()).margin(tolerance));
       }
@@ -254,15 +218,10 @@ TEST_CASE("depths turn, are mirrored and grow with the drawing") {
 TEST_CASE("parts of characters lie no further apart than their thicknesses") {
   for (const char* name : {"elephant", "pancakes", "snowman", "flower"}) {
     INFO(name);
-    const std::map<std::string, Reach> parts = reaches(name);
-    Reach all;
+    const Solid solid = solid_of(test::character_named(name).drawing);
     double thicknesses = 0;
-    for (const auto& [part, reach] : parts) {
-      all.add(reach.low);
-      all.add(reach.high);
-      thicknesses += reach.depth();
-    }
-    CHECK(all.depth() <= 1.05 * thicknesses);
+    for (const test::PartDepth& part : test::part_depths(solid)) thicknesses += part.depth();
+    CHECK(test::depth_of(solid.mesh) <= 1.05 * thicknesses);
   }
 }
 
@@ -270,12 +229,10 @@ TEST_CASE("characters are flat parts near to one another, as deep as their drawi
   for (const test::Character& character : test::all_characters()) {
     for (const bool held : {false, true}) {
       INFO(character.name << " " << held);
-      Progress progress;
       Options options;
       options.quality = Quality::Draft;
       options.attach_suggested = held;
-      const Drawing drawing = test::character_sketch(character).drawing;
-      const Solid solid = inflate(label(drawing, options, progress), drawing, options, progress);
+      const Solid solid = test::solid_of(test::character_sketch(character).drawing, options);
       const std::vector<test::PartDepth> parts = test::part_depths(solid);
       // The worst are a stack of pancakes, and the arms of an octopus that lean because their body pulls them.
       CHECK(test::middle_spread(parts) < (held ? 0.65 : 0.85));
@@ -285,7 +242,7 @@ TEST_CASE("characters are flat parts near to one another, as deep as their drawi
   }
 }
 
-TEST_CASE("parts are as thick as they are told, and nothing else of them changes") {
+TEST_CASE("parts are as thick as their strokes say, and nothing else of them changes") {
   const auto level = [](double) { return 0.0; };
   const Drawing plain = test::layered_sketch({{test::circle_outline({0, 0}, 150), 1},
                                               {test::tube_outline(test::bar({60, -60}, {260, -260}, 40, level)), 2}})
@@ -293,24 +250,21 @@ TEST_CASE("parts are as thick as they are told, and nothing else of them changes
   for (const std::array<double, 2>& factors : {std::array{0.1, 0.1}, {0.5, 1.0}, {2.0, 2.0}, {4.0, 0.05}}) {
     INFO(factors[0] << " " << factors[1]);
     Drawing drawing = plain;
-    const std::map<std::string, Reach> before = reaches(solid_of(plain));
+    const std::map<std::string, PartDepth> before = reaches(plain);
     REQUIRE(before.size() == 2);
     std::map<std::string, double> factor_of;
     for (const auto& [name, reach] : before) factor_of[name] = factors[factor_of.size()];
     for (Stroke& stroke : drawing.strokes) {
-      const auto told = factor_of.find(stroke.id);
-      if (told != factor_of.end()) stroke.data["thickness"] = std::to_string(told->second);
+      const auto given = factor_of.find(stroke.id);
+      if (given != factor_of.end()) stroke.data["thickness"] = std::to_string(given->second);
     }
     const Solid solid = solid_of(drawing);
     CHECK(solid.findings.empty());
     CHECK(solid.diagnostics.silhouette_iou >= 0.98);
     CHECK(solid.diagnostics.depth_ratio <= 1.2);
     CHECK(solid.diagnostics.minimum_gap >= 0.1 * solid.diagnostics.scale - 1e-6);
-    Progress progress;
-    const MeshReport report = inspect(solid.mesh, true, progress);
-    CHECK(report.closed);
-    CHECK(report.self_intersections == std::size_t{0});
-    for (const auto& [name, reach] : reaches(solid)) {
+    test::check_sound(solid.mesh);
+    for (const auto& [name, reach] : test::depths_by_name(solid)) {
       CHECK(reach.depth() == Approx(factor_of[name] * before.at(name).depth()).epsilon(0.02));
     }
   }

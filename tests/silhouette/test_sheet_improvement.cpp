@@ -7,9 +7,9 @@
 #include <catch2/catch.hpp>
 
 #include "algorithms/silhouette/surface/certificate.h"
-#include "algorithms/silhouette/surface/sheet_improvement.h"
+#include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "croquis/geometry/self_intersection.h"
-#include "silhouette/figure_fixtures.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 
@@ -131,8 +131,8 @@ TEST_CASE("most slender triangles are gone") {
   for (const test::FigureFixture& fixture : fixtures()) {
     const auto [before, after] = improved(fixture.figure);
     const auto slender = [&](const SheetMesh& mesh) {
-      const std::vector<double> angles = test::smallest_angles(whole_surface(fixture.figure, mesh));
-      return std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
+      const PolyMesh surface = whole_surface(fixture.figure, mesh);
+      return test::slender_share(surface) * static_cast<double>(surface.face_count());
     };
     CHECK(10 * slender(after) <= slender(before) + 40);
   }

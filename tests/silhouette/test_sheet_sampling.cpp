@@ -5,9 +5,8 @@
 
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/sampling/proximity_grid.h"
-#include "algorithms/silhouette/sampling/rim_distance.h"
+#include "algorithms/silhouette/sampling/rims.h"
 #include "algorithms/silhouette/sampling/sheet_sampling.h"
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
 #include "croquis/base/error.h"
 #include "silhouette/figure_fixtures.h"
 #include "support/random.h"
@@ -52,7 +51,7 @@ TEST_CASE("the sampled region is the figure's region, and every inner edge has a
   Progress progress;
   for (const test::FigureFixture& fixture : fixtures()) {
     const LabelledFigure& figure = fixture.figure;
-    const Skeleton skeleton = chordal_axis(figure, 0.3, progress);
+    const Skeleton skeleton = test::skeleton_of(figure);
     const SheetSampling sheets = sample_sheets(figure, skeleton, progress);
     CHECK(region_area(sheets.points, sheets.planar, sheets.layers) ==
           Approx(region_area(figure.points, figure.triangulation, figure.layers)).epsilon(1e-9));
@@ -82,7 +81,7 @@ TEST_CASE("the sampled region is the figure's region, and every inner edge has a
 TEST_CASE("distances from the rim are those of the own sheet") {
   Progress progress;
   for (const test::FigureFixture& fixture : fixtures()) {
-    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const Skeleton skeleton = test::skeleton_of(fixture.figure);
     const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
     const RimDistances rim = rim_distances(sheets, 0.5);
     const auto place = [&](Index v) { return sheets.points[sheets.lifted.planar_vertex[v]]; };
@@ -103,7 +102,7 @@ TEST_CASE("distances from the rim are those of the own sheet") {
   }
   // A disk has one rim only, so that every distance is known.
   const test::FigureFixture disk = test::disk_figure();
-  const Skeleton skeleton = chordal_axis(disk.figure, 0.3, progress);
+  const Skeleton skeleton = test::skeleton_of(disk.figure);
   const SheetSampling sheets = sample_sheets(disk.figure, skeleton, progress);
   const RimDistances rim = rim_distances(sheets, 0.5);
   for (Index v = 0; v < rim.nearest.size(); ++v) {
@@ -116,7 +115,7 @@ TEST_CASE("distances from the rim are those of the own sheet") {
 TEST_CASE("no edge runs from a rim past its first row") {
   Progress progress;
   for (const test::FigureFixture& fixture : fixtures()) {
-    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const Skeleton skeleton = test::skeleton_of(fixture.figure);
     const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
     const RimDistances rim = rim_distances(sheets, 0.5);
     const auto& lifted = sheets.lifted;
@@ -135,7 +134,7 @@ TEST_CASE("no edge runs from a rim past its first row") {
 TEST_CASE("nodes are found where they are, in their own layer") {
   Progress progress;
   for (const test::FigureFixture& fixture : fixtures()) {
-    const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+    const Skeleton skeleton = test::skeleton_of(fixture.figure);
     const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
     const std::vector<LiftedPlace> places = locate_nodes(fixture.figure, skeleton, sheets);
     REQUIRE(places.size() == skeleton.nodes.size());

@@ -8,9 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/silhouette/solid.h"
-#include "silhouette/figure_fixtures.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/random.h"
 #include "support/sample_count.h"
@@ -19,33 +17,9 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::check_sound, test::report_of, test::solid_of;
 
 namespace {
-
-Solid solid_of(const Drawing& drawing, const Options& options = {}) {
-  Progress progress;
-  return inflate(label(drawing, options, progress), drawing, options, progress);
-}
-
-Solid solid_of(const test::FigureFixture& fixture) {
-  Progress progress;
-  LabelledDrawing labelled;
-  labelled.figures.push_back(fixture.figure);
-  return inflate(labelled, fixture.drawing, {}, progress);
-}
-
-void check_sound(const PolyMesh& mesh) {
-  Progress progress;
-  const MeshReport figures = inspect(mesh, true, progress);
-  CHECK(figures.closed);
-  CHECK(figures.oriented);
-  CHECK(figures.nonmanifold_edges == 0);
-  CHECK(figures.nonmanifold_vertices == 0);
-  CHECK(figures.degenerate_faces == 0);
-  CHECK(figures.self_intersections == std::size_t{0});
-  REQUIRE(figures.volume.has_value());
-  CHECK(*figures.volume > 0);
-}
 
 /// Every object closed, outward and of the right genus; nothing meets anything, also as files round it.
 void check_solid(const Solid& solid, const std::vector<int>& euler_mesh, double unit) {
@@ -74,10 +48,7 @@ void check_solid(const Solid& solid, const std::vector<int>& euler_mesh, double 
 
 /// The vertical line meets every layer twice, and layers keep the gap.
 void check_stack(const Solid& solid, const test::SketchTruth& truth, std::uint64_t seed) {
-  const auto bounds = [&] {
-    Progress progress;
-    return *inspect(solid.mesh, false, progress).bounds;
-  }();
+  const auto bounds = *report_of(solid.mesh).bounds;
   test::Random random(seed);
   const double gap = 0.1 * solid.diagnostics.scale - 1e-6;
   for (int k = 0; k < 60; ++k) {
@@ -94,10 +65,7 @@ void check_stack(const Solid& solid, const test::SketchTruth& truth, std::uint64
   }
 }
 
-double volume(const Solid& solid) {
-  Progress progress;
-  return *inspect(solid.mesh, false, progress).volume;
-}
+double volume(const Solid& solid) { return report_of(solid.mesh).volume.value(); }
 
 }  // namespace
 
@@ -144,13 +112,11 @@ TEST_CASE("a hasty drawing keeps its shape") {
 }
 
 TEST_CASE("fixtures made without the drawing steps become sound solids") {
-  const test::FigureFixture fixtures[] = {
-      test::disk_figure(),         test::ring_figure(),  test::capsule_figure(), test::crossed_capsules_figure(),
-      test::figure_eight_figure(), test::snake_figure(), test::trefoil_figure(), test::linked_rings_figure()};
-  const std::vector<int> euler[] = {{2}, {0}, {2}, {2, 2}, {0}, {2}, {0}, {0, 0}};
-  for (std::size_t f = 0; f < std::size(fixtures); ++f) {
-    INFO(f);
-    check_solid(solid_of(fixtures[f]), euler[f], fixtures[f].figure.unit);
+  for (const auto& [name, fixture] : test::all_figures()) {
+    INFO(name);
+    std::vector<int> euler;
+    for (const FigureObject& object : fixture.figure.objects) euler.push_back(2 * object.euler_region);
+    check_solid(solid_of(fixture), euler, fixture.figure.unit);
   }
 }
 
@@ -245,7 +211,7 @@ TEST_CASE("faces and nodes carry names and radii") {
   CHECK(validate(solid.skeleton).empty());
 }
 
-TEST_CASE("an object's own weights count, and malformed ones are all told with its name") {
+TEST_CASE("an object's own weights count, and malformed ones are all reported with its name") {
   Drawing drawing = test::snake_sketch().drawing;
   for (Stroke& stroke : drawing.strokes) stroke.object = "snake";
   const Solid plain = solid_of(drawing);

@@ -9,15 +9,15 @@
 #include <catch2/catch.hpp>
 
 #include "croquis/base/stage_cache.h"
-#include "croquis/geometry/mesh_report.h"
 #include "croquis/silhouette/attachment.h"
-#include "croquis/silhouette/solid.h"
+#include "silhouette/solids.h"
 #include "support/key_recorder.h"
 #include "support/member_changes.h"
 #include "support/sketches/sketch_generator.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::solid_of;
 
 namespace {
 
@@ -42,11 +42,6 @@ class CountingCache final : public StageCache {
   std::map<std::pair<std::string, std::string>, Stage> kept_;
   std::map<std::string, int> made_;
 };
-
-Solid solid_of(const Drawing& drawing, const Options& options) {
-  Progress progress;
-  return inflate(label(drawing, options, progress), drawing, options, progress);
-}
 
 void check_same(const Solid& a, const Solid& b) {
   CHECK(a.mesh.positions == b.mesh.positions);
@@ -177,12 +172,11 @@ TEST_CASE("a draft shows the same objects with fewer vertices, and shares its la
   CHECK(cache.made() == std::map<std::string, int>{{"silhouette sheets", 2}, {"silhouette solid", 2}});
   CHECK(draft.objects.size() == final.objects.size());
   CHECK(draft.mesh.vertex_count() < final.mesh.vertex_count() * 7 / 10);
-  Progress progress;
-  const MeshReport figures = inspect(draft.mesh, false, progress);
+  const MeshReport figures = test::report_of(draft.mesh);
   CHECK(figures.closed);
   CHECK(figures.oriented);
   const auto wide = *figures.bounds;
-  const auto fine = *inspect(final.mesh, false, progress).bounds;
+  const auto fine = *test::report_of(final.mesh).bounds;
   const double tolerance = 0.02 * (fine[1] - fine[0]).norm();
   CHECK((wide[0] - fine[0]).norm() < tolerance);
   CHECK((wide[1] - fine[1]).norm() < tolerance);

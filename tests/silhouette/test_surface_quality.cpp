@@ -4,8 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "croquis/silhouette/solid.h"
-#include "silhouette/figure_fixtures.h"
+#include "silhouette/solids.h"
 #include "silhouette/surface_quality.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sketches/sketch_gallery.h"
@@ -13,16 +12,6 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
-
-namespace {
-
-Solid solid_of(const test::Sketch& sketch) {
-  Progress progress;
-  const Options options;
-  return inflate(label(sketch.drawing, options, progress), sketch.drawing, options, progress);
-}
-
-}  // namespace
 
 TEST_CASE("the measures know an exact torus and see a dent in its rim") {
   PolyMesh torus = test::triangulated(test::torus(96, 48));
@@ -36,7 +25,7 @@ TEST_CASE("the measures know an exact torus and see a dent in its rim") {
 TEST_CASE("rims are smooth and have no notches where others cross them") {
   for (const test::NamedSketch& named : test::all_sketches()) {
     INFO(named.name);
-    const Solid solid = solid_of(named.sketch);
+    const Solid solid = test::solid_of(named.sketch.drawing);
     const test::Spread serration = test::rim_serration(solid.mesh);
     CHECK(serration.p95 <= 1);
     CHECK(serration.mean <= 0.5);
@@ -50,7 +39,7 @@ TEST_CASE("no notch comes and goes with the last digits of a drawing") {
   const test::Sketch drawn = test::dog_sketch();
   for (int k = 1; k <= 4; ++k) {
     INFO(k);
-    const Solid solid = solid_of(test::rotated(drawn, 0.001 * k));
+    const Solid solid = test::solid_of(test::rotated(drawn, 0.001 * k).drawing);
     CHECK(test::deepest_rim_notch(solid.mesh) <= 25);
   }
 }
@@ -58,10 +47,9 @@ TEST_CASE("no notch comes and goes with the last digits of a drawing") {
 TEST_CASE("of a hundred triangles hardly one has an angle below 15 degrees") {
   for (const test::NamedSketch& named : test::all_sketches()) {
     INFO(named.name);
-    const std::vector<double> angles = test::smallest_angles(solid_of(named.sketch).mesh);
-    const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-    CHECK(static_cast<double>(slender) <= 0.01 * static_cast<double>(angles.size()));
-    CHECK(angles.front() > 1);
+    const Solid solid = test::solid_of(named.sketch.drawing);
+    CHECK(test::slender_share(solid.mesh) <= 0.01);
+    CHECK(test::smallest_angles(solid.mesh).front() > 1);
   }
 }
 
@@ -69,7 +57,7 @@ TEST_CASE("sections normal to inclined tubes are circles") {
   for (const test::Sketch& sketch :
        {test::trefoil_sketch(), test::figure_eight_sketch(), test::snake_sketch(), test::weave_sketch(),
         test::duck_sketch(), test::dog_sketch(), test::octopus_sketch()}) {
-    const Solid solid = solid_of(sketch);
+    const Solid solid = test::solid_of(sketch.drawing);
     const std::vector<double> ratios = test::half_axis_ratios(solid.mesh, solid.skeleton);
     REQUIRE(ratios.size() > 10);
     CHECK(*std::min_element(ratios.begin(), ratios.end()) >= 0.97);
@@ -78,19 +66,10 @@ TEST_CASE("sections normal to inclined tubes are circles") {
 }
 
 TEST_CASE("the rim of a capsule is part of a circle to a hundredth of its radius") {
-  const test::FigureFixture fixture = test::capsule_figure();
-  Progress progress;
-  LabelledDrawing labelled;
-  labelled.figures.push_back(fixture.figure);
-  const Solid solid = inflate(labelled, fixture.drawing, {}, progress);
+  const Solid solid = test::solid_of(test::capsule_figure());
   const double radius = 40;
-  double low = 0;
-  double high = 0;
-  for (const Vec3& p : solid.mesh.positions) {
-    low = std::min(low, p.z());
-    high = std::max(high, p.z());
-  }
-  const double middle = (low + high) / 2;
+  const auto bounds = *test::report_of(solid.mesh).bounds;
+  const double middle = (bounds[0].z() + bounds[1].z()) / 2;
   std::vector<double> deviations;
   for (std::size_t f = 0; f < solid.mesh.face_count(); ++f) {
     Vec3 centre = Vec3::Zero();

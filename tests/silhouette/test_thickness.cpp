@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <numbers>
 
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/sampling/rim_distance.h"
-#include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/sampling/rims.h"
 #include "algorithms/silhouette/surface/thickness.h"
 #include "croquis/silhouette/solid.h"
 #include "silhouette/figure_fixtures.h"
@@ -13,6 +13,7 @@
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using std::numbers::pi;
 
 namespace {
 
@@ -24,7 +25,7 @@ struct Thickened {
 
 Thickened thicken(const LabelledFigure& figure) {
   Progress progress;
-  const Skeleton skeleton = chordal_axis(figure, 0.3, progress);
+  const Skeleton skeleton = test::skeleton_of(figure);
   Thickened result;
   const SheetSampling& sheets = result.sheets = sample_sheets(figure, skeleton, progress);
   const std::vector<LiftedPlace> nodes = locate_nodes(figure, skeleton, sheets);
@@ -56,14 +57,10 @@ std::vector<double> rim_deviations(const LabelledFigure& figure) {
 LabelledFigure waved_figure(int points, double waves) {
   std::vector<Vec2> outline;
   for (int k = 0; k < 400; ++k) {
-    const double angle = 2 * 3.14159265358979 * k / 400;
+    const double angle = 2 * pi * k / 400;
     outline.push_back(120 * (1 + waves * std::cos(points * angle)) * Vec2(std::cos(angle), std::sin(angle)));
   }
-  const std::vector<test::FixtureContour> contours{{outline, 1, 0}};
-  const std::vector<std::string> names{"waves"};
-  test::FigureFixture fixture = test::figure_of_contours(contours, names, 3, [](Index, double) { return 0; });
-  fixture.figure.objects[0].euler_region = 1;
-  return fixture.figure;
+  return test::figure_of_outline("waves", outline, 3).figure;
 }
 
 /// Vertices near the middle that are higher than all others around them.
@@ -95,10 +92,10 @@ TEST_CASE("the stiffness annihilates constants and gives a quadratic's Laplacian
   const SheetOperator op = thicken(test::disk_figure()).op;
   const Eigen::Index count = op.stiffness.cols();
   CHECK((op.stiffness * Eigen::VectorXd::Ones(count)).cwiseAbs().maxCoeff() < 1e-9);
-  CHECK(op.area.sum() == Approx(3.14159265 * 1e4).epsilon(0.001));
+  CHECK(op.area.sum() == Approx(pi * 1e4).epsilon(0.001));
   Eigen::VectorXd square(count);
   for (Eigen::Index v = 0; v < count; ++v) square[v] = op.position[static_cast<std::size_t>(v)].squaredNorm();
-  CHECK(square.dot(op.stiffness * square) == Approx(4 * 3.14159265 * 1e8 / 2).epsilon(0.01));
+  CHECK(square.dot(op.stiffness * square) == Approx(4 * pi * 1e8 / 2).epsilon(0.01));
 }
 
 TEST_CASE("thickness is zero exactly on the boundary and positive inside") {
@@ -167,14 +164,10 @@ TEST_CASE("how far a rim turns is its curvature times the radius of the surface"
 TEST_CASE("where three limbs meet the surface is neither pinched nor blown up") {
   std::vector<Vec2> outline;
   for (int k = 0; k < 720; ++k) {
-    const double angle = 2 * 3.14159265358979 * k / 720;
+    const double angle = 2 * pi * k / 720;
     outline.push_back((90 + 50 * std::cos(3 * angle)) * Vec2(std::cos(angle), std::sin(angle)));
   }
-  const std::vector<test::FixtureContour> contours{{outline, 1, 0}};
-  const std::vector<std::string> names{"star"};
-  test::FigureFixture star = test::figure_of_contours(contours, names, 2, [](Index, double) { return 0; });
-  star.figure.objects[0].euler_region = 1;
-  const Thickened result = thicken(star);
+  const Thickened result = thicken(test::figure_of_outline("star", outline, 2));
   double centre = 0;
   double highest = 0;
   for (Eigen::Index v = 0; v < result.thickness.size(); ++v) {
@@ -194,7 +187,7 @@ TEST_CASE("stars and clouds have one summit, and all of their points are alike")
       double low = 1e300;
       double high = 0;
       for (int k = 0; k < points; ++k) {
-        const double angle = 2 * 3.14159265358979 * k / points;
+        const double angle = 2 * pi * k / points;
         const double height = height_near(result, 72 * (1 - waves) * Vec2(std::cos(angle), std::sin(angle)));
         low = std::min(low, height);
         high = std::max(high, height);
@@ -207,24 +200,20 @@ TEST_CASE("stars and clouds have one summit, and all of their points are alike")
 TEST_CASE("a drawn star is highest in the middle and falls evenly into its points") {
   std::vector<Vec2> outline;
   for (int k = 0; k < 10; ++k) {
-    const double angle = 3.14159265358979 * (k / 5.0 + 0.5);
-    const double next = 3.14159265358979 * ((k + 1) / 5.0 + 0.5);
+    const double angle = pi * (k / 5.0 + 0.5);
+    const double next = pi * ((k + 1) / 5.0 + 0.5);
     const Vec2 begin = (k % 2 == 0 ? 160 : 60) * Vec2(std::cos(angle), std::sin(angle));
     const Vec2 end = (k % 2 == 0 ? 60 : 160) * Vec2(std::cos(next), std::sin(next));
     for (int i = 0; i < 28; ++i) outline.push_back(begin + i / 28.0 * (end - begin));
   }
-  const std::vector<test::FixtureContour> contours{{outline, 1, 0}};
-  const std::vector<std::string> names{"star"};
-  test::FigureFixture star = test::figure_of_contours(contours, names, 2, [](Index, double) { return 0; });
-  star.figure.objects[0].euler_region = 1;
-  const Thickened result = thicken(star);
+  const Thickened result = thicken(test::figure_of_outline("star", outline, 2));
   // The five sectors are alike, however the middle was triangulated.
   std::array<double, 5> lowest;
   lowest.fill(1e300);
   for (Eigen::Index v = 0; v < result.thickness.size(); ++v) {
     const Vec2& place = result.op.position[static_cast<std::size_t>(v)];
     if (place.norm() < 20 || place.norm() > 30) continue;
-    const double turns = std::atan2(place.y(), place.x()) / (2 * 3.14159265358979) + 1.85;
+    const double turns = std::atan2(place.y(), place.x()) / (2 * pi) + 1.85;
     double& low = lowest[static_cast<std::size_t>(std::floor(5 * turns)) % 5];
     low = std::min(low, result.thickness[v]);
   }
@@ -236,15 +225,30 @@ TEST_CASE("a drawn star is highest in the middle and falls evenly into its point
 TEST_CASE("equal node values extend to a constant, and differing ones stay between their extremes") {
   Progress progress;
   const test::FigureFixture fixture = test::snake_figure();
-  const Skeleton skeleton = chordal_axis(fixture.figure, 0.3, progress);
+  const Skeleton skeleton = test::skeleton_of(fixture.figure);
   const SheetSampling sheets = sample_sheets(fixture.figure, skeleton, progress);
   const std::vector<LiftedPlace> nodes = locate_nodes(fixture.figure, skeleton, sheets);
   const auto count = static_cast<Eigen::Index>(nodes.size());
   const NodeExtension extension(make_sheet_operator(sheets), nodes, skeleton);
   const Eigen::VectorXd same = extension.extend(Eigen::VectorXd::Constant(count, 3));
   CHECK((same.array() - 3).abs().maxCoeff() < 1e-6);
-  const Eigen::VectorXd rising = extension.extend(Eigen::VectorXd::LinSpaced(count, 1, 2));
+  // Along the snake, from one end to the other.
+  const std::vector<std::vector<Index>> neighbours = skeleton.neighbours();
+  std::vector<Index> along;
+  for (Index node = 0; node < neighbours.size() && along.empty(); ++node) {
+    if (neighbours[node].size() == 1) along = {node, neighbours[node].front()};
+  }
+  while (neighbours[along.back()].size() == 2) {
+    const std::vector<Index>& both = neighbours[along.back()];
+    along.push_back(both[0] == along[along.size() - 2] ? both[1] : both[0]);
+  }
+  REQUIRE(along.size() == nodes.size());
+  Eigen::VectorXd given(count);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    given[along[i]] = 1 + static_cast<double>(i) / static_cast<double>(along.size() - 1);
+  }
+  const Eigen::VectorXd rising = extension.extend(given);
   CHECK(rising.minCoeff() > 0.95);
   CHECK(rising.maxCoeff() < 2.05);
-  CHECK(value_at(nodes[static_cast<std::size_t>(count / 2)], rising) == Approx(1.5).epsilon(0.02));
+  CHECK(value_at(nodes[along[along.size() / 2]], rising) == Approx(1.5).epsilon(0.02));
 }

@@ -8,24 +8,22 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "algorithms/silhouette/joining/part_joining.h"
-#include "algorithms/silhouette/joining/union_improvement.h"
+#include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/surface/certificate.h"
-#include "croquis/geometry/mesh_report.h"
-#include "croquis/geometry/triangle_tree.h"
-#include "silhouette/surface_quality.h"
+#include "silhouette/solids.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
 using namespace croquis;
 using namespace croquis::silhouette;
+using test::slender_share;
 
 namespace {
 
 /// A ball with a smaller one sunk into it, with slivers all along the seam.
 Shell joined_balls(std::uint64_t seed) {
   test::Random random(seed);
-  PolyMesh big = test::triangulated(test::uv_sphere(40, 20));
+  const PolyMesh big = test::triangulated(test::uv_sphere(40, 20));
   PolyMesh small = big;
   const double radius = random.between(0.4, 0.8);
   const Vec3 aside(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
@@ -48,24 +46,9 @@ ImprovedUnion improved(const Shell& joined) {
   return improved(joined, std::vector<std::uint8_t>(joined.mesh.vertex_count(), 0));
 }
 
-double slender_share(const PolyMesh& mesh) {
-  const std::vector<double> angles = test::smallest_angles(mesh);
-  const auto slender = std::lower_bound(angles.begin(), angles.end(), 15.0) - angles.begin();
-  return static_cast<double>(slender) / static_cast<double>(angles.size());
-}
-
-TriangleTree tree_of(const PolyMesh& mesh) {
-  std::vector<std::array<Vec3, 3>> triangles;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto c = mesh.face(f);
-    triangles.push_back({mesh.positions[c[0]], mesh.positions[c[1]], mesh.positions[c[2]]});
-  }
-  return TriangleTree(triangles);
-}
-
 /// The farthest that vertices of one mesh lie off the other's surface.
 double farthest(const PolyMesh& from, const PolyMesh& to) {
-  const TriangleTree tree = tree_of(to);
+  const TriangleTree tree = test::tree_of(to);
   double most = 0;
   for (const Vec3& position : from.positions) most = std::max(most, tree.nearest(position, 10).distance);
   return most;
@@ -77,8 +60,7 @@ double feature_length(const Shell& surface) {
   const PolyMesh& mesh = surface.mesh;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto c = mesh.face(f);
-    const Vec2 a = mesh.positions[c[0]].head<2>();
-    const bool front = cross(mesh.positions[c[1]].head<2>() - a, mesh.positions[c[2]].head<2>() - a) > 0;
+    const bool front = seen_area(mesh, f) > 0;
     for (std::size_t k = 0; k < 3; ++k) {
       sides[std::minmax(c[k], c[(k + 1) % 3])].push_back(2 * surface.face_objects[f] + (front ? 1 : 0));
     }
@@ -100,14 +82,9 @@ TEST_CASE("the triangles of a joined surface become wide, and it stays what it w
     const Shell& after = result.surface;
     CHECK(slender_share(before.mesh) > 0.04);
     CHECK(slender_share(after.mesh) < 0.4 * slender_share(before.mesh));
-    Progress progress;
-    const MeshReport was = inspect(before.mesh, true, progress);
-    const MeshReport is = inspect(after.mesh, true, progress);
-    CHECK(is.closed);
-    CHECK(is.oriented);
-    CHECK(is.nonmanifold_edges + is.nonmanifold_vertices == 0);
+    const MeshReport was = test::report_of(before.mesh), is = test::report_of(after.mesh);
+    test::check_sound(after.mesh);
     CHECK(is.euler_characteristic == was.euler_characteristic);
-    CHECK(is.self_intersections == std::size_t{0});
     CHECK(*is.volume == Approx(*was.volume).epsilon(2e-3));
     constexpr double longest_edge = 0.16;
     CHECK(farthest(after.mesh, before.mesh) < 0.06 * longest_edge);
@@ -117,7 +94,7 @@ TEST_CASE("the triangles of a joined surface become wide, and it stays what it w
   }
 }
 
-TEST_CASE("triangles at kept vertices stay, and changed ones are told") {
+TEST_CASE("triangles at kept vertices stay, and changed ones are reported") {
   const Shell before = joined_balls(3);
   std::vector<std::uint8_t> kept(before.mesh.vertex_count(), 0);
   for (Index v = 0; v < kept.size(); ++v) kept[v] = before.mesh.positions[v].x() > 0 ? 1 : 0;

@@ -76,10 +76,8 @@ std::vector<LayeredPart> teddy_parts() {
 }
 
 Drawing two_circles(double distance, const Vec2& direction = {1, 0}) {
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("a", circle_outline({0, 0}, 100), true));
-  drawing.strokes.push_back(stroke_of("b", circle_outline(distance * direction, 80), true));
-  return drawing;
+  return drawing_of({stroke_of("a", circle_outline({0, 0}, 100), true),
+                     stroke_of("b", circle_outline(distance * direction, 80), true)});
 }
 
 /// A limb that hangs down over a circle, its two ends open inside it.
@@ -143,9 +141,8 @@ TEST_CASE("shapes drawn in full over one another lie in the order of drawing") {
 }
 
 TEST_CASE("of two closed outlines that cross, the one in front is suggested to rest on the other") {
-  Drawing drawing;
-  drawing.strokes = {stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
-                     stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)};
+  Drawing drawing = drawing_of({stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
+                                stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)});
   LabelledDrawing labelled = label_in_view(drawing);
   REQUIRE(labelled.crossings.size() == 1);
   CHECK(labelled.crossings.front().whole);
@@ -168,11 +165,10 @@ TEST_CASE("of two closed outlines that cross, the one in front is suggested to r
   CHECK(pairs.front().hold == silhouette::Hold::Joined);
 }
 
-TEST_CASE("strokes told to lie behind what isn't there, or behind themselves, are named") {
-  Drawing drawing;
-  drawing.strokes = {stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
-                     stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)};
-  const auto told = [&](const std::string& behind) {
+TEST_CASE("strokes set to lie behind what isn't there, or behind themselves, are named") {
+  Drawing drawing = drawing_of({stroke_of("far", ellipse({300, 300}, 120, 120, 0), true),
+                                stroke_of("near", ellipse({440, 320}, 120, 120, 0), true)});
+  const auto warned = [&](const std::string& behind) {
     drawing.strokes[1].data[silhouette::behind_key] = behind;
     std::vector<std::string> sentences;
     for (const Finding& finding : label_in_view(drawing).findings) {
@@ -182,13 +178,13 @@ TEST_CASE("strokes told to lie behind what isn't there, or behind themselves, ar
     }
     return sentences;
   };
-  CHECK(told("far").empty());
-  CHECK(told("all").empty());
-  CHECK(told("").empty());
-  REQUIRE(told("far, wing").size() == 1);
-  CHECK(told("far, wing").front().find("\"wing\"") != std::string::npos);
-  REQUIRE(told("near").size() == 1);
-  CHECK(told("near").front().find("itself") != std::string::npos);
+  CHECK(warned("far").empty());
+  CHECK(warned("all").empty());
+  CHECK(warned("").empty());
+  REQUIRE(warned("far, wing").size() == 1);
+  CHECK(warned("far, wing").front().find("\"wing\"") != std::string::npos);
+  REQUIRE(warned("near").size() == 1);
+  CHECK(warned("near").front().find("itself") != std::string::npos);
 }
 
 TEST_CASE("a character of full ellipses is read part by part") {
@@ -218,16 +214,16 @@ TEST_CASE("the hidden piece of an outline that was drawn in full is the one that
   }
 }
 
-TEST_CASE("a stroke that is told to lie behind does") {
+TEST_CASE("a stroke that is set to lie behind does") {
   Drawing drawing = two_circles(130);
   CHECK(overlaps_of(label_in_view(drawing)) == Overlaps{{"b", "a"}});
   drawing.strokes[1].data["behind"] = "a";
-  const LabelledDrawing told = label_in_view(drawing);
-  CHECK(overlaps_of(told) == Overlaps{{"a", "b"}});
-  REQUIRE(told.crossings.size() == 1);
-  CHECK(told.crossings.front().front == 0);
-  CHECK(told.crossings.front().behind == 1);
-  CHECK(told.crossings.front().chosen);
+  const LabelledDrawing changed = label_in_view(drawing);
+  CHECK(overlaps_of(changed) == Overlaps{{"a", "b"}});
+  REQUIRE(changed.crossings.size() == 1);
+  CHECK(changed.crossings.front().front == 0);
+  CHECK(changed.crossings.front().behind == 1);
+  CHECK(changed.crossings.front().chosen);
   drawing.strokes[1].data["behind"] = "all";
   CHECK(overlaps_of(label_in_view(drawing)) == Overlaps{{"a", "b"}});
 }
@@ -239,7 +235,7 @@ TEST_CASE("each pair of a chain of circles is decided by itself") {
     const Vec2 centre(150 * std::cos(angle), 150 * std::sin(angle));
     drawing.strokes.push_back(stroke_of("c" + std::to_string(i), circle_outline(centre, 95), true));
   }
-  // Told so that each lies over the next, all round: no order of the whole circles does that.
+  // Set so that each lies over the next, all round: no order of the whole circles does that.
   drawing.strokes[0].data["behind"] = "";
   for (int i = 1; i < 5; ++i) drawing.strokes[static_cast<std::size_t>(i)].data["behind"] = "c" + std::to_string(i - 1);
   drawing.strokes[5].data["behind"] = "c4";
@@ -250,9 +246,8 @@ TEST_CASE("each pair of a chain of circles is decided by itself") {
 }
 
 TEST_CASE("long shapes that cross twice are one part each") {
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("flat", ellipse({0, 0}, 250, 50, 0.1), true));
-  drawing.strokes.push_back(stroke_of("upright", ellipse({0, 0}, 250, 50, 1.6), true));
+  Drawing drawing = drawing_of({stroke_of("flat", ellipse({0, 0}, 250, 50, 0.1), true),
+                                stroke_of("upright", ellipse({0, 0}, 250, 50, 1.6), true)});
   const LabelledDrawing labelled = label_in_view(drawing);
   CHECK(overlaps_of(labelled) == Overlaps{{"upright", "flat"}});
   CHECK(counts_of(labelled).crossings == 4);
@@ -274,7 +269,7 @@ TEST_CASE("outlines that nearly touch are read one way or the other, at any dist
   }
 }
 
-TEST_CASE("a trembling line crosses another once") {
+TEST_CASE("an unsteady line crosses another once") {
   for (int seed = 1; seed <= sample_count(40, 400); ++seed) {
     INFO("seed " << seed);
     Random random(static_cast<std::uint64_t>(seed));
@@ -299,9 +294,7 @@ TEST_CASE("outlines of an exact drawing that overlap a little cross, however une
     }
     return points;
   };
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("left", cloud({0, 0}), true));
-  drawing.strokes.push_back(stroke_of("right", cloud({193, 0}), true));
+  Drawing drawing = drawing_of({stroke_of("left", cloud({0, 0}), true), stroke_of("right", cloud({193, 0}), true)});
   // Its ends lie on the left one, as a program puts them.
   std::vector<Vec2> limb;
   for (int i = 0; i <= 40; ++i) limb.push_back(cloud({0, 0})[static_cast<std::size_t>(190)] + Vec2(-3.0 * i, 0));
@@ -339,22 +332,18 @@ TEST_CASE("a limb whose ends are seen inside a body lies in front of it, whichev
     CHECK(overlaps_of(labelled) == Overlaps{{"limb", "body"}});
     CHECK(counts_of(labelled).euler_region == 2);
   }
-  // Told to lie behind, or with ends just inside, it passes behind the body.
-  Drawing behind;
-  behind.strokes = {body, limb};
+  // Set to lie behind, or with ends just inside, it passes behind the body.
+  Drawing behind = drawing_of({body, limb});
   behind.strokes[1].data["behind"] = "body";
   CHECK(overlaps_of(label_in_view(behind)) == Overlaps{{"body", "limb"}});
-  Drawing overshot;
-  overshot.strokes = {body, limb_stroke(97)};
+  Drawing overshot = drawing_of({body, limb_stroke(97)});
   CHECK(overlaps_of(label_in_view(overshot)) == Overlaps{{"body", "limb"}});
 }
 
-TEST_CASE("lines whose order nothing tells bound nothing") {
-  Drawing open;
-  open.strokes.push_back(stroke_of("left", circle_outline({-260, 0}, 70), true));
-  open.strokes.push_back(stroke_of("right", circle_outline({260, 0}, 70), true));
-  open.strokes.push_back(stroke_of("down", straight({-200, 20}, {200, -20})));
-  open.strokes.push_back(stroke_of("up", straight({-200, -20}, {200, 20})));
+TEST_CASE("lines whose order nothing shows bound nothing") {
+  Drawing open = drawing_of(
+      {stroke_of("left", circle_outline({-260, 0}, 70), true), stroke_of("right", circle_outline({260, 0}, 70), true),
+       stroke_of("down", straight({-200, 20}, {200, -20})), stroke_of("up", straight({-200, -20}, {200, 20}))});
   const LabelledDrawing limbs = label_in_view(open);
   CHECK_FALSE(has_errors(limbs.findings));
 
@@ -363,8 +352,7 @@ TEST_CASE("lines whose order nothing tells bound nothing") {
     const double t = 2 * std::numbers::pi * (i + 0.3) / 200;
     eight.emplace_back(200 * std::sin(t), 100 * std::sin(2 * t));
   }
-  Drawing twisted;
-  twisted.strokes.push_back(stroke_of("eight", eight, true));
+  Drawing twisted = drawing_of({stroke_of("eight", eight, true)});
   const LabelledDrawing lobes = label_in_view(twisted);
   CHECK_FALSE(has_errors(lobes.findings));
 }
@@ -373,14 +361,12 @@ TEST_CASE("a bar behind a ring is seen in its hole, one before the ring covers b
   const std::vector<Vec2> bar{{-300, -20}, {300, -20}, {300, 20}, {-300, 20}};
   const std::vector<Stroke> ring{stroke_of("ring", circle_outline({0, 0}, 150), true),
                                  stroke_of("hole", circle_outline({0, 0}, 100), true)};
-  Drawing behind;
-  behind.strokes = {stroke_of("bar", bar, true), ring[0], ring[1]};
+  Drawing behind = drawing_of({stroke_of("bar", bar, true), ring[0], ring[1]});
   const LabelledDrawing threaded = label_in_view(behind);
   CHECK(overlaps_of(threaded) == Overlaps{{"ring", "bar"}, {"ring", "bar"}});
   CHECK(counts_of(threaded).objects == 2);
   CHECK(counts_of(threaded).euler_region == 1);
-  Drawing before;
-  before.strokes = {ring[0], ring[1], stroke_of("bar", bar, true)};
+  Drawing before = drawing_of({ring[0], ring[1], stroke_of("bar", bar, true)});
   const LabelledDrawing laid = label_in_view(before);
   CHECK(overlaps_of(laid) == Overlaps{{"bar", "ring"}, {"bar", "ring"}});
   CHECK(counts_of(laid).euler_region == 1);
@@ -391,11 +377,10 @@ TEST_CASE("a bar behind a ring is seen in its hole, one before the ring covers b
 }
 
 TEST_CASE("a shape that others cover completely is not lost without a word") {
-  Drawing drawing;
-  drawing.strokes.push_back(stroke_of("small", ellipse({0, 0}, 60, 20, 0), true));
-  drawing.strokes.push_back(stroke_of("left", circle_outline({-60, 3}, 80), true));
-  drawing.strokes.push_back(stroke_of("right", circle_outline({60, -2}, 80), true));
+  Drawing drawing = drawing_of({stroke_of("small", ellipse({0, 0}, 60, 20, 0), true),
+                                stroke_of("left", circle_outline({-60, 3}, 80), true),
+                                stroke_of("right", circle_outline({60, -2}, 80), true)});
   const LabelledDrawing labelled = label_in_view(drawing);
-  const bool told = std::ranges::count(labelled.findings, "W_LEFT_OUT", &Finding::code) > 0;
-  CHECK((told || labelled.kinds.front() == silhouette::StrokeKind::Detail));
+  const bool named = std::ranges::count(labelled.findings, "W_LEFT_OUT", &Finding::code) > 0;
+  CHECK((named || labelled.kinds.front() == silhouette::StrokeKind::Detail));
 }

@@ -179,7 +179,7 @@ TEST_CASE("a tag that is no edge or no sharpness is refused by name, the others 
   CHECK(std::count(sharpness.begin(), sharpness.end(), 0) == 22);
 }
 
-TEST_CASE("a pin where nothing is sharp is told") {
+TEST_CASE("a pin where nothing is sharp is reported") {
   PolyMesh mesh = bolt_loop();
   mesh.tags.pins = {0, 9, 77};
   const CageResult result = make_cage(mesh);
@@ -194,7 +194,7 @@ TEST_CASE("a pin where nothing is sharp is told") {
   CHECK(uniform.warnings[0].subjects[0].index == 77);
 }
 
-TEST_CASE("a tag that stands alone and retracts is told, unless its ends hold it") {
+TEST_CASE("a tag that stands alone and retracts is reported, unless its ends hold it") {
   PolyMesh mesh = tagged(bolt(), std::array<VertexPair, 1>{{{8, 9}}});
   CHECK(codes(make_cage(mesh, Rules::of(Preset::Paper)).warnings) == Codes{"W_TAG_VANISHES"});
   CHECK(codes(make_cage(mesh, Rules::of(Preset::Refined)).warnings).empty());
@@ -204,7 +204,7 @@ TEST_CASE("a tag that stands alone and retracts is told, unless its ends hold it
   CHECK(codes(make_cage(bolt_open_chain(), Rules::of(Preset::Paper)).warnings).empty());
 }
 
-TEST_CASE("a face far from convex is told") {
+TEST_CASE("a face far from convex is reported") {
   PolyMesh mesh;
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(4, 4, 0), Vec3(1, 3, 0)}) mesh.positions.push_back(p);
   mesh.add_face(std::array<Index, 4>{0, 1, 2, 3});

@@ -91,7 +91,7 @@ TEST_CASE("too many faces are refused with their count before anything is made")
   CHECK_THROWS_AS(DooSabinPlan(cage, {}, Depth(16, ~std::size_t{0}), progress), Error);
 }
 
-TEST_CASE("a plan can be stopped, and tells how far it is") {
+TEST_CASE("a plan can be stopped, and reports how far it is") {
   const auto cage = make_cage(torus(20, 20)).cage;
   std::atomic<bool> cancel{false};
   std::vector<double> fractions;

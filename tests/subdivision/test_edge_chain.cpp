@@ -18,7 +18,7 @@ using namespace croquis::test;
 
 namespace {
 
-/// A lattice of sharp edges, infinite unless told, on a torus of quads: vertex (i, j) is i * sides + j.
+/// A lattice of sharp edges, infinite unless said otherwise, on a torus of quads: vertex (i, j) is i * sides + j.
 PolyMesh torus_with(std::span<const VertexPair> edges) { return tagged(torus(12, 8), edges); }
 
 std::vector<Vec3> chain_points(const EdgeChain& chain, const std::vector<Vec3>& points) {

@@ -119,7 +119,7 @@ std::vector<NamedCage> symmetric_cages() {
   return cages;
 }
 
-/// At a corner of the mesh: where its vertex and its face lie, by which corners of a symmetric level are told apart.
+/// At a corner of the mesh: where its vertex and its face lie, by which corners of a symmetric level are distinguished.
 void check_symmetric(const SeenLimit& seen, const Eigen::Matrix3d& symmetry) {
   const HalfEdges& mesh = *seen.mesh;
   struct Place {

@@ -78,7 +78,7 @@ TEST_CASE("Loop of closed triangle meshes is CGAL's to twelve digits") {
   }
 }
 
-TEST_CASE("Levels of both schemes are manifold, keep the Euler number and have the counts foretold") {
+TEST_CASE("Levels of both schemes are manifold, keep the Euler number and have the counts computed before") {
   for (const NamedCage& cage : all_cages()) {
     for (const UniformRules& rules : {UniformRules{}, loop_rules}) {
       INFO(cage.name << (rules.scheme == UniformScheme::Loop ? ", Loop" : ", Catmull-Clark"));
@@ -223,7 +223,7 @@ TEST_CASE("Too many faces are refused beforehand with the counts") {
   CHECK_THROWS_AS(UniformPlan(cage, {}, 40, progress), Error);
 }
 
-TEST_CASE("What OpenSubdiv can't refine is told in its own words") {
+TEST_CASE("What OpenSubdiv can't refine is reported in its own words") {
   Progress progress;
   const Cage cage = make_cage(single_face(70'000)).cage;
   try {

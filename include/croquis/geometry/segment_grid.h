@@ -82,17 +82,30 @@ class SegmentGrid {
   std::vector<std::vector<Index>> cells_;  ///< segments, ascending
 };
 
-/// All segments of lines, which have `points`, and are closed unless their `closed` says otherwise; `line` is the index
-/// of the line, `position` that of the segment.
+/// Adds all segments of a line, which has `points`, and is closed unless its `closed` says otherwise; `line` is the
+/// number given, `position` that of the segment.
+template <typename Line>
+void add_segments(const Line& line, Index number, std::vector<GridSegment>& segments) {
+  const auto& points = line.points;
+  std::size_t count = points.size();
+  if constexpr (requires { line.closed; }) count -= line.closed ? 0U : 1U;
+  for (Index i = 0; i < count; ++i) segments.push_back({points[i], points[(i + 1) % points.size()], number, i});
+}
+
+/// The segments of all lines of a list, by their indices.
 template <typename Line>
 std::vector<GridSegment> segments_of(const std::vector<Line>& lines) {
   std::vector<GridSegment> segments;
-  for (Index line = 0; line < lines.size(); ++line) {
-    const auto& points = lines[line].points;
-    std::size_t count = points.size();
-    if constexpr (requires { lines[line].closed; }) count -= lines[line].closed ? 0U : 1U;
-    for (Index i = 0; i < count; ++i) segments.push_back({points[i], points[(i + 1) % points.size()], line, i});
-  }
+  for (Index line = 0; line < lines.size(); ++line) add_segments(lines[line], line, segments);
+  return segments;
+}
+
+/// Those of one line or several, numbered as they are given.
+template <typename... Line>
+std::vector<GridSegment> segments_of_lines(const Line&... lines) {
+  std::vector<GridSegment> segments;
+  Index number = 0;
+  (add_segments(lines, number++, segments), ...);
   return segments;
 }
 

@@ -11,7 +11,7 @@ enum class Kernel {
   Triharmonic,    ///< r^3, values alone; twice differentiable
   Biharmonic,     ///< r, values alone; its gradient jumps at the centres (Carr et al. 2001)
   ThinPlate,      ///< r^2 log r, values alone, phi(0) = 0 (Yoo 2005, eq. 2): the plane's thin plate, for comparison
-  HermiteQuintic  ///< r^5 with values and gradients, quadratic polynomials: continues curvature, strays farther off
+  HermiteQuintic  ///< r^5 with values and gradients, quadratic polynomials: continues curvature, deviates farther off
 };
 
 /// Whether a fit by it takes gradients, and thus needs no points off the surface.

@@ -14,7 +14,7 @@
 
 namespace croquis::implicit {
 
-/// Tells for points of the surface whether they are covered by a surface that is there already. Thread-safe.
+/// Says of points of the surface whether they are covered by a surface that is there already. Thread-safe.
 using Covered = std::function<void(std::span<const Vec3> points, std::span<std::uint8_t> covered)>;
 
 struct PolygonizerOptions {

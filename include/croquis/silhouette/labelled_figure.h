@@ -102,6 +102,13 @@ struct LabelledFigure {
   int panels = 0;    ///< sum of w over the faces
 };
 
+/// The samples of a contour, crossings included.
+inline std::vector<Vec2> contour_points(const LabelledFigure& figure, Index contour) {
+  std::vector<Vec2> points;
+  for (const Index v : figure.contours[contour].vertices) points.push_back(figure.points[v]);
+  return points;
+}
+
 /// Two outlines that cross in full view, and which of them is read as the one in front.
 struct CrossingInView {
   Index front = 0;  ///< indices into Drawing::strokes

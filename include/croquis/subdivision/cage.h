@@ -43,9 +43,9 @@ enum class CageUse { DooSabin, UniformSchemes };
 /// Repaired with a warning: faces with the wrong orientation (W_FLIPPED, of each connected part the fewer), vertices
 /// with several fans (W_BOWTIE), vertices without faces (W_LOOSE_VERTEX). Refused with a warning, the others kept: tags
 /// between vertices that no edge joins (W_TAG_NO_EDGE), sharpness that is negative or NaN (W_TAG_SHARPNESS); more than
-/// greatest_sharpness counts as infinite. Told: pins that change nothing (W_PIN_NO_EFFECT), faces with reflex corners
-/// (W_MAY_FOLD), single tagged edges that shrink away (W_TAG_VANISHES, where rules.chain_ends retract). Tags on
-/// boundary edges are fine and change nothing: boundaries are sharp anyway. Linear time, but for sorting the tags.
+/// greatest_sharpness counts as infinite. Reported: pins that change nothing (W_PIN_NO_EFFECT), faces with reflex
+/// corners (W_MAY_FOLD), single tagged edges that shrink away (W_TAG_VANISHES, where rules.chain_ends retract). Tags on
+/// boundary edges are fine and change nothing: boundaries are sharp anyway. Linear time for bounded valences.
 /// @throws Error with all of E_INDEX, E_NOT_FINITE (malformed), E_FACE_DEGENERATE, E_EDGE_SHARED, E_NOT_ORIENTABLE
 CageResult make_cage(const PolyMesh& mesh, const Rules& rules = {}, CageUse use = CageUse::DooSabin);
 

@@ -44,7 +44,10 @@ struct Rules {
   ChainEnds chain_ends = ChainEnds::Smooth;
   BoundaryCorners boundary_corners = BoundaryCorners::Corner;
 
-  static Rules of(Preset preset);
+  static Rules of(Preset preset) {
+    if (preset == Preset::Refined) return {};
+    return {Weights::Average, Profile::Plain, ChainEnds::Retract, BoundaryCorners::Corner};
+  }
 };
 
 constexpr auto members(const Rules& rules) {

@@ -20,9 +20,8 @@ struct KeptRegion {
   Findings notices;                ///< W_TRIANGULATED with the number of faces that were cut
 };
 
-/// Deviation from a plane, relative to the face's diameter, up to which a face counts as planar. Coordinates of files
-/// in single precision are that far off.
-inline constexpr double planar_tolerance = 1e-6;
+/// Whether no corner lies farther than 1e-6 of the face's diameter off the plane through its centre.
+bool is_planar(const PolyMesh& mesh, Index face);
 
 /// Tags all edges of the faces as sharp for ever and pins their vertices: every level then holds these faces with
 /// distance 0. Faces that aren't planar are cut into triangles first, since only a triangle has one surface to keep;

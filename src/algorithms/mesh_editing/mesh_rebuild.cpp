@@ -104,7 +104,7 @@ void forget(std::vector<T>& values, std::size_t width, std::size_t element) {
 }
 
 /// A tag that found no place in the new mesh.
-void tell_dropped(const std::vector<VertexPair>& edges, const std::vector<Index>& pins, MeshEdit& edit) {
+void report_dropped(const std::vector<VertexPair>& edges, const std::vector<Index>& pins, MeshEdit& edit) {
   if (edges.empty() && pins.empty()) return;
   std::string what = edges.empty() ? "" : "the tags of " + named_edges(edges);
   if (!pins.empty()) {
@@ -223,7 +223,7 @@ void carry_tags(const MeshTags& old, const TagMap& map, MeshEdit& edit) {
     tags.pins.insert(tags.pins.end(), vertices.begin(), vertices.end());
   }
   carry_sets(old, map, tags);
-  tell_dropped(dropped, dropped_pins, edit);
+  report_dropped(dropped, dropped_pins, edit);
 }
 
 std::string named_edges(const std::vector<VertexPair>& edges) {

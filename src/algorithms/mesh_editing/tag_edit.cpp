@@ -2,29 +2,24 @@
 #include "croquis/mesh_editing/tag_edit.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <utility>
 
+#include "algorithms/mesh_editing/mesh_rebuild.h"
 #include "croquis/base/error.h"
 
 namespace croquis {
 namespace {
 
-using Pair = std::array<Index, 2>;
-
-Pair lower_first(Pair pair) {
-  if (pair[1] < pair[0]) std::swap(pair[0], pair[1]);
-  return pair;
-}
+VertexPair lower_first(const VertexPair& pair) { return ordered_pair(pair[0], pair[1]); }
 
 [[noreturn]] void refuse_tags(const std::string& sentence) {
   throw Error(make_error(Category::Usage, "E_INPUT", sentence));
 }
 
 /// A sorted list of edges by their vertices.
-std::vector<Pair> pairs_of(const MeshTopology& topology, std::span<const Index> edges) {
-  std::vector<Pair> pairs;
+std::vector<VertexPair> pairs_of(const MeshTopology& topology, std::span<const Index> edges) {
+  std::vector<VertexPair> pairs;
   for (const Index edge : edges) {
     if (edge < topology.edge_count()) pairs.push_back(lower_first(topology.edge_vertices(edge)));
   }
@@ -39,9 +34,9 @@ void drop_empty_sets(MeshTags& tags) {
   std::erase_if(tags.sets, [](const CreaseSet& set) { return set.edges.empty() && set.pins.empty(); });
 }
 
-void leave_sets(MeshTags& tags, const std::vector<Pair>& edges, const Elements& vertices) {
+void leave_sets(MeshTags& tags, const std::vector<VertexPair>& edges, const Elements& vertices) {
   for (CreaseSet& set : tags.sets) {
-    std::erase_if(set.edges, [&](const Pair& edge) { return holds(edges, lower_first(edge)); });
+    std::erase_if(set.edges, [&](const VertexPair& edge) { return holds(edges, lower_first(edge)); });
     std::erase_if(set.pins, [&](Index vertex) { return holds(vertices, vertex); });
   }
   drop_empty_sets(tags);
@@ -49,9 +44,9 @@ void leave_sets(MeshTags& tags, const std::vector<Pair>& edges, const Elements& 
 
 /// Gives each edge what `change` makes of its sharpness (0 for none).
 /// @param edges sorted, lower vertex first
-MeshTags changed(MeshTags tags, const std::vector<Pair>& edges, const std::function<double(double)>& change) {
+MeshTags changed(MeshTags tags, const std::vector<VertexPair>& edges, const std::function<double(double)>& change) {
   std::vector<char> seen(edges.size(), 0);
-  std::vector<Pair> untagged;
+  std::vector<VertexPair> untagged;
   for (Crease& crease : tags.creases) {
     const auto found = std::lower_bound(edges.begin(), edges.end(), lower_first(crease.vertices));
     if (found == edges.end() || *found != lower_first(crease.vertices)) continue;
@@ -90,9 +85,9 @@ void require_free_name(const MeshTags& tags, const std::string& name) {
   if (find_set(tags, name) != nullptr) refuse_tags("There is a set \"" + name + "\" already: choose another name");
 }
 
-std::vector<Pair> sorted_members(const CreaseSet& set) {
-  std::vector<Pair> members = set.edges;
-  for (Pair& pair : members) pair = lower_first(pair);
+std::vector<VertexPair> sorted_members(const CreaseSet& set) {
+  std::vector<VertexPair> members = set.edges;
+  for (VertexPair& pair : members) pair = lower_first(pair);
   std::sort(members.begin(), members.end());
   return members;
 }
@@ -100,12 +95,9 @@ std::vector<Pair> sorted_members(const CreaseSet& set) {
 }  // namespace
 
 Elements tagged_edges(const MeshTags& tags, const MeshTopology& topology) {
-  Elements edges;
-  for (const Crease& crease : tags.creases) {
-    const Index edge = find_edge(topology, crease.vertices[0], crease.vertices[1]);
-    if (edge != no_index) edges.push_back(edge);
-  }
-  return sorted_unique(std::move(edges));
+  std::vector<VertexPair> pairs;
+  for (const Crease& crease : tags.creases) pairs.push_back(crease.vertices);
+  return edges_of(topology, pairs);
 }
 
 MeshTags with_sharpness(const MeshTags& tags, const MeshTopology& topology, std::span<const Index> edges,
@@ -178,7 +170,7 @@ MeshTags with_set_sharpness(const MeshTags& tags, std::string_view name, double 
   CreaseSet& set = result.sets[place_of(tags, name)];
   const double normal = normal_sharpness(sharpness);
   if (normal > 0) set.sharpness = normal;
-  const std::vector<Pair> members = sorted_members(set);
+  const std::vector<VertexPair> members = sorted_members(set);
   return changed(std::move(result), members, [normal](double) { return normal; });
 }
 
@@ -206,14 +198,7 @@ MeshTags without_set(const MeshTags& tags, std::string_view name, bool untag) {
   return with_pins(result, set.pins, false);
 }
 
-Elements set_edges(const CreaseSet& set, const MeshTopology& topology) {
-  Elements edges;
-  for (const Pair& pair : set.edges) {
-    const Index edge = find_edge(topology, pair[0], pair[1]);
-    if (edge != no_index) edges.push_back(edge);
-  }
-  return sorted_unique(std::move(edges));
-}
+Elements set_edges(const CreaseSet& set, const MeshTopology& topology) { return edges_of(topology, set.edges); }
 
 Elements set_vertices(const CreaseSet& set, const MeshTopology& topology) {
   Elements vertices = sorted_unique(set.pins);

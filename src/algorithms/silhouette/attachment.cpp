@@ -14,17 +14,10 @@ namespace {
 
 using Pairs = std::set<std::pair<Index, Index>>;
 
-std::vector<Vec2> points_of(const LabelledFigure& figure, const FigureContour& contour) {
-  std::vector<Vec2> points;
-  for (const Index v : contour.vertices) points.push_back(figure.points[v]);
-  return points;
-}
-
 bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
   int layers = 0;
   for (const Index c : figure.objects[object].contours) {
-    const FigureContour& contour = figure.contours[c];
-    layers += contour.side * winding_number(points_of(figure, contour), place);
+    layers += figure.contours[c].side * winding_number(contour_points(figure, c), place);
   }
   return layers > 0;
 }
@@ -32,7 +25,7 @@ bool covers(const LabelledFigure& figure, Index object, const Vec2& place) {
 double area_of(const LabelledFigure& figure, Index object) {
   double area = 0;
   for (const Index c : figure.objects[object].contours) {
-    area += figure.contours[c].side * signed_area(points_of(figure, figure.contours[c]));
+    area += figure.contours[c].side * signed_area(contour_points(figure, c));
   }
   return area;
 }

@@ -7,14 +7,12 @@
 #include <map>
 #include <utility>
 
-#include "algorithms/silhouette/figure/figure_search.h"
 #include "algorithms/silhouette/figure/labelling.h"
-#include "algorithms/silhouette/reading/reading_lines.h"
+#include "algorithms/silhouette/reading/reading_program.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/stage.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
-#include "algorithms/silhouette/strokes/junctions.h"
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/labelled_figure.h"

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/figure_shells.h"
-
 #include <algorithm>
 #include <limits>
 #include <optional>
 #include <set>
 
-#include "algorithms/silhouette/joining/seam_blending.h"
-#include "algorithms/silhouette/joining/union_improvement.h"
+#include "algorithms/silhouette/figure_solid.h"
+#include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 
@@ -40,9 +38,7 @@ bool is_sound(const LabelledFigure& figure, const Shell& shell, double least_sil
   std::vector<SidedOutline> outlines;
   for (const Index object : shell.objects) {
     for (const Index c : figure.objects[object].contours) {
-      SidedOutline& outline = outlines.emplace_back();
-      outline.side = figure.contours[c].side;
-      for (const Index v : figure.contours[c].vertices) outline.points.push_back(figure.points[v]);
+      outlines.push_back({contour_points(figure, c), figure.contours[c].side});
     }
   }
   const PolyMesh* mesh = &shell.mesh;
@@ -89,7 +85,7 @@ std::set<ObjectPair> nearest_seams(const Shell& shell, const Attachments& attach
       if (distance >= least || !objects[v].contains(own)) continue;
       for (const Index other : objects[v]) {
         const ObjectPair pair = std::minmax(own, other);
-        if (!attachments.pairs().contains(pair)) continue;
+        if (!attachments.kappa(own, other)) continue;
         least = distance;
         nearest = pair;
         break;
@@ -101,7 +97,7 @@ std::set<ObjectPair> nearest_seams(const Shell& shell, const Attachments& attach
 }
 
 void fail_pairs_of(Index object, const Attachments& attachments, FigureShells& made) {
-  for (const auto& [pair, kappa] : attachments.pairs()) {
+  for (const ObjectPair& pair : attachments.pairs(Hold::Joined)) {
     if (pair.first == object || pair.second == object) made.failed.push_back({pair, JoinFault::Unsound});
   }
 }
@@ -111,7 +107,7 @@ void join(const LabelledFigure& figure, const std::vector<Shell>& surfaces, cons
   std::vector<const Shell*> parts;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const Index object = surfaces[s].objects.front();
-    if (!attachments.involves(object)) continue;
+    if (!attachments.joins(object)) continue;
     if (faults[s].empty()) {
       parts.push_back(&surfaces[s]);
     } else {
@@ -119,8 +115,7 @@ void join(const LabelledFigure& figure, const std::vector<Shell>& surfaces, cons
     }
   }
   if (!made.failed.empty()) return;
-  std::vector<ObjectPair> pairs;
-  for (const auto& [pair, kappa] : attachments.pairs()) pairs.push_back(pair);
+  const std::vector<ObjectPair> pairs = attachments.pairs(Hold::Joined);
   PartJoining joining = join_parts(parts, pairs, sliver * figure.unit, progress);
   made.failed = std::move(joining.failed);
   for (Shell& joined : joining.groups) {
@@ -219,11 +214,12 @@ FigureShells make_shells(const LabelledFigure& figure, std::vector<Shell> surfac
                          const std::vector<std::string>& faults, const Attachments& attachments,
                          const std::map<ObjectPair, double>& seams, Progress& progress) {
   FigureShells made;
-  if (!attachments.empty()) join(figure, surfaces, faults, attachments, made, progress);
+  const bool joins = attachments.any(Hold::Joined);
+  if (joins) join(figure, surfaces, faults, attachments, made, progress);
   if (!made.failed.empty()) return made;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const Index object = surfaces[s].objects.front();
-    if (attachments.involves(object)) continue;
+    if (attachments.joins(object)) continue;
     if (faults[s].empty()) {
       made.shells.push_back(std::move(surfaces[s]));
     } else {
@@ -231,7 +227,7 @@ FigureShells make_shells(const LabelledFigure& figure, std::vector<Shell> surfac
     }
   }
   std::ranges::sort(made.shells, {}, [](const Shell& shell) { return shell.objects.front(); });
-  if (!attachments.empty()) check_apart(figure.unit, attachments, made, progress);
+  if (joins) check_apart(figure.unit, attachments, made, progress);
   for (std::size_t shell = 0; made.failed.empty() && !seams.empty() && shell < made.shells.size(); ++shell) {
     blend(figure, shell, attachments, seams, made.shells, progress);
   }

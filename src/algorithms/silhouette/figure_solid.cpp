@@ -8,14 +8,15 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/silhouette/depth_guard.h"
-#include "algorithms/silhouette/sampling/rim_radius.h"
+#include "algorithms/silhouette/sampling/rims.h"
 #include "algorithms/silhouette/skeleton/chordal_axis.h"
+#include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "algorithms/silhouette/stage.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/surface/certificate.h"
 #include "algorithms/silhouette/surface/inflation.h"
-#include "algorithms/silhouette/surface/sheet_improvement.h"
+#include "algorithms/silhouette/surface/sheet_mesh.h"
+#include "croquis/geometry/disjoint_sets.h"
 
 namespace croquis::silhouette {
 namespace {
@@ -181,7 +182,7 @@ std::vector<Index> refuse_unsolved(const FigureTask& task, const SolvedFigure& s
 std::vector<FailedJoin> pairs_of(const std::vector<Index>& objects, const Attachments& attachments) {
   std::vector<FailedJoin> own;
   std::vector<FailedJoin> all;
-  for (const auto& [pair, kappa] : attachments.pairs()) {
+  for (const ObjectPair& pair : attachments.pairs(Hold::Joined)) {
     all.push_back({pair, JoinFault::Unsolved});
     if (std::ranges::binary_search(objects, pair.first) || std::ranges::binary_search(objects, pair.second)) {
       own.push_back(all.back());
@@ -199,7 +200,7 @@ std::vector<std::string> check_surfaces(const FigureTask& task, const SolvedFigu
     faults.push_back(topology_fault(surface.mesh, task.figure.objects[surface.objects.front()].euler_region, progress));
     meshes.push_back(&surface.mesh);
   }
-  if (!task.settings.depth.attachments.empty()) return faults;
+  if (task.settings.depth.attachments.any(Hold::Joined)) return faults;
   const bool in_order = sheets_in_order(solved.sheets, Rounding::None, task.figure.unit);
   for (const Rounding rounding : {Rounding::None, Rounding::Grid}) {
     progress.check();
@@ -217,10 +218,9 @@ std::vector<std::string> check_surfaces(const FigureTask& task, const SolvedFigu
 std::map<ObjectPair, double> seam_radii(const FigureTask& task, const Skeleton& skeleton) {
   const std::vector<double> radius = object_radii(skeleton);
   std::map<ObjectPair, double> radii;
-  for (const auto& [pair, blend] : task.settings.blends) {
-    if (task.settings.depth.attachments.kappa(pair.first, pair.second)) {
-      radii[pair] = blend * std::min(radius[pair.first], radius[pair.second]);
-    }
+  for (const auto& [pair, how] : task.settings.depth.attachments.held) {
+    if (how.hold != Hold::Joined || how.blend <= 0) continue;
+    radii[pair] = how.blend * std::min(radius[pair.first], radius[pair.second]);
   }
   return radii;
 }
@@ -231,7 +231,7 @@ SurfacedFigure surfaced(const FigureTask& task, const SolvedFigure& solved, cons
   const Attachments& attachments = task.settings.depth.attachments;
   std::vector<Shell> surfaces = object_surfaces(task.figure, mesh);
   const std::vector<Index> refused = refuse_unsolved(task, solved, surfaces, made);
-  if (!refused.empty() && !attachments.empty()) {
+  if (!refused.empty() && attachments.any(Hold::Joined)) {
     // Attached parts may be held too weakly: apart, each part is pulled to the sketch plane by itself.
     made.shells.failed = pairs_of(refused, attachments);
     return made;
@@ -279,9 +279,12 @@ Overlap overlap_with_drawing(const LabelledFigure& figure, const std::vector<She
 FigureSolid figure_solid(const FigureTask& task, SolvedFigure solved, SurfacedFigure made) {
   FigureSolid solid;
   solid.shells = std::move(made.shells.shells);
-  solid.held.attachments = task.settings.depth.attachments;
+  solid.held = task.settings.depth.attachments;
+  for (auto& [pair, how] : solid.held.held) how.blend = 0;
   for (const Shell& shell : solid.shells) {
-    for (const auto& [pair, share] : shell.blends) solid.held.blends[pair] = share * task.settings.blends.at(pair);
+    for (const auto& [pair, share] : shell.blends) {
+      solid.held.held[pair].blend = share * task.settings.depth.attachments.held.at(pair).blend;
+    }
   }
   solid.findings = std::move(made.refusals);
   std::ranges::move(depth_findings(solved.depth, solved.skeleton, task.figure, task.drawing),
@@ -310,16 +313,19 @@ std::shared_ptr<const Skeleton> make_axis(const FigureTask& task, Progress& prog
       [](const Skeleton& skeleton) { return bytes_of(skeleton); });
 }
 
-/// All attachments of the groups that these pairs belong to.
-std::vector<FailedJoin> whole_groups(const Attachments& attachments, const std::vector<FailedJoin>& failed) {
+/// All joined pairs of the groups of objects that failed ones belong to, group by group.
+std::vector<FailedJoin> whole_groups(const LabelledFigure& figure, const Attachments& attachments,
+                                     const std::vector<FailedJoin>& failed) {
+  DisjointSets groups(figure.objects.size());
+  const std::vector<ObjectPair> pairs = attachments.pairs(Hold::Joined);
+  for (const auto& [a, b] : pairs) groups.unite(a, b);
   std::vector<FailedJoin> all;
-  for (const std::vector<Index>& group : attachments.groups()) {
-    const auto in_group = [&](Index object) { return std::binary_search(group.begin(), group.end(), object); };
-    const auto found =
-        std::find_if(failed.begin(), failed.end(), [&](const FailedJoin& join) { return in_group(join.pair.first); });
+  for (Index group = 0; group < figure.objects.size(); ++group) {
+    const auto in_group = [&](const ObjectPair& pair) { return groups.root(pair.first) == group; };
+    const auto found = std::ranges::find_if(failed, in_group, &FailedJoin::pair);
     if (found == failed.end()) continue;
-    for (const auto& [pair, kappa] : attachments.pairs()) {
-      if (in_group(pair.first)) all.push_back({pair, found->fault});
+    for (const ObjectPair& pair : pairs) {
+      if (in_group(pair)) all.push_back({pair, found->fault});
     }
   }
   return all;
@@ -332,7 +338,7 @@ FigureSolid solidify(FigureTask task, Progress& progress) {
   Findings warnings;
   for (int round = 1;; ++round) {
     // Every repetition has fewer pairs, so they end.
-    const double share = attachments.empty() ? 0.75 : 0.35;
+    const double share = attachments.any(Hold::Joined) ? 0.35 : 0.75;
     Progress solving = progress.step("solve", share);
     SolvedFigure solved = solve(task, *axis, solving);
     Progress checking = progress.step("finish", share / 4);
@@ -343,10 +349,10 @@ FigureSolid solidify(FigureTask task, Progress& progress) {
       std::ranges::move(warnings, std::back_inserter(solid.findings));
       return solid;
     }
-    if (round >= max_joining_rounds) failed = whole_groups(attachments, failed);
+    if (round >= max_joining_rounds) failed = whole_groups(task.figure, attachments, failed);
     for (const FailedJoin& join : failed) {
       warnings.push_back(not_joined(task, join));
-      attachments.release(join.pair.first, join.pair.second);
+      attachments.held.erase(join.pair);
     }
   }
 }
@@ -371,7 +377,7 @@ std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figur
   if (settings.cache != nullptr) {
     add_shape(figure, key);
     add_names(figure, drawing, key);
-    key.add(settings.depth).add(settings.quality).add(settings.blends);
+    key.add(settings.depth).add(settings.quality);
   }
   return cached<FigureSolid>(
       settings.cache, "silhouette solid", key,

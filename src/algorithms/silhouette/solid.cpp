@@ -5,15 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/attached_pairs.h"
 #include "algorithms/silhouette/figure_solid.h"
-#include "algorithms/silhouette/relief.h"
-#include "algorithms/silhouette/skeleton/object_weights.h"
 #include "algorithms/silhouette/solid_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
@@ -106,27 +102,18 @@ void add_lines(const LabelledDrawing& labelled, const Drawing& drawing, Solid& s
   solid.lines = surface_lines(details, solid.mesh, step);
 }
 
-void add_attachments(const LabelledFigure& figure, const HeldObjects& held, Solid& solid) {
-  std::map<ObjectPair, SolidAttachment> attached;
-  const auto attach = [&](const ObjectPair& pair, Hold hold) -> SolidAttachment& {
-    const auto place = std::ranges::find_if(figure.overlaps, [&](const FigureOverlap& overlap) {
-      return pair == ObjectPair(std::minmax(overlap.upper, overlap.lower));
-    });
-    SolidAttachment& made = attached[pair];
+void add_attachments(const LabelledFigure& figure, const Attachments& attachments, Solid& solid) {
+  for (const auto& [pair, how] : attachments.held) {
+    SolidAttachment& made = solid.attached.emplace_back();
     made.a = figure.objects[pair.first].name;
     made.b = figure.objects[pair.second].name;
-    made.hold = hold;
+    made.hold = how.hold;
+    if (how.hold == Hold::Joined) std::tie(made.kappa, made.blend) = std::pair(how.kappa, how.blend);
+    const auto place = std::ranges::find(figure.overlaps, pair, [](const FigureOverlap& overlap) {
+      return ObjectPair(std::minmax(overlap.upper, overlap.lower));
+    });
     if (place != figure.overlaps.end()) made.at = place->at;
-    return made;
-  };
-  for (const ObjectPair& pair : held.attachments.resting_pairs()) attach(pair, Hold::Resting);
-  for (const auto& [pair, kappa] : held.attachments.pairs()) {
-    SolidAttachment& joined = attach(pair, Hold::Joined);
-    joined.kappa = kappa;
-    const auto blend = held.blends.find(pair);
-    if (blend != held.blends.end()) joined.blend = blend->second;
   }
-  for (auto& [pair, made] : attached) solid.attached.push_back(std::move(made));
 }
 
 void add_shell(const LabelledFigure& figure, const DepthSettings& settings, const Shell& shell, Solid& solid) {
@@ -214,29 +201,12 @@ void require_use(const LabelledDrawing& labelled, const Drawing& drawing, const 
   throw Error(std::move(findings));
 }
 
-/// The settings of every figure, before any work: mistyped weights and thicknesses are reported at once.
-std::vector<FigureSettings> settings_of_figures(const LabelledDrawing& labelled, const Drawing& drawing,
-                                                const Options& options, AttachedFigures& attached) {
-  std::vector<FigureSettings> all(labelled.figures.size());
-  Findings findings;
-  for (std::size_t f = 0; f < all.size(); ++f) {
-    FigureSettings& settings = all[f];
-    settings.depth.options = options.depth;
-    settings.depth.attachments = std::move(attached.figures[f].attachments);
-    settings.blends = std::move(attached.figures[f].blends);
-    read_object_weights(labelled.figures[f], drawing, settings.depth, findings);
-    settings.quality = options.quality;
-    settings.cache = options.cache;
-  }
-  if (!findings.empty()) throw Error(std::move(findings));
-  return all;
-}
-
 }  // namespace
 
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
-  AttachedFigures attached = attached_figures(labelled, drawing, options);
-  const std::vector<FigureSettings> settings = settings_of_figures(labelled, drawing, options, attached);
+  SolidSoFar made;
+  Solid& solid = made.solid;
+  const std::vector<FigureSettings> settings = figure_settings(labelled, drawing, options, solid.findings);
   constexpr double carving_share = 0.2;
   const double inflating_share = options.details.shape == DetailShape::Line ? 1 : 1 - carving_share;
   double total = 0, unit = 0;
@@ -244,10 +214,6 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
     total += static_cast<double>(figure.points.size());
     unit = std::max(unit, figure.unit);
   }
-
-  SolidSoFar made;
-  Solid& solid = made.solid;
-  solid.findings = std::move(attached.warnings);
   solid.diagnostics.minimum_gap = std::numeric_limits<double>::infinity();
   solid.mesh.channels.push_back({"object", Domain::Face, 1, std::vector<std::int32_t>{}, {}});
   for (std::size_t f = 0; f < labelled.figures.size(); ++f) {

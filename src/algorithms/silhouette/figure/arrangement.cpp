@@ -11,7 +11,7 @@ namespace croquis::silhouette {
 namespace {
 
 // Samples of a known piece nearer to its bar than so many times what its line goes on behind it give way.
-constexpr double clearance = 1.5;
+constexpr double bar_clearance = 1.5;
 
 /// Which completion every end is in.
 struct ChosenEnds {
@@ -71,7 +71,7 @@ Points given_points(const ChosenEnds& ends, const GivenPiece& given, Index leavi
   if (given.from != ends.part.ends[leaving]) std::ranges::reverse(points);
   for (const Index at : {leaving, arriving}) {
     const Vec2& bar = ends.end(at).at;
-    const double least = clearance * (ends.place_behind_bar(at) - bar).norm();
+    const double least = bar_clearance * (ends.place_behind_bar(at) - bar).norm();
     std::erase_if(points, [&](const Vec2& place) { return (place - bar).norm() < least; });
   }
   points.insert(points.begin(), ends.place_behind_bar(leaving));

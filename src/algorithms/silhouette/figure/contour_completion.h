@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/silhouette/strokes/junctions.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/segment_grid.h"
 #include "croquis/silhouette/options.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/figure/figure_search.h"
-
 #include <algorithm>
 #include <array>
 #include <iterator>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/joining/part_joining.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Random.h>
 
+#include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/joining/union_surface.h"
 
 namespace croquis::silhouette {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/joining/seam_blending.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
+#include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/joining/union_surface.h"
 #include "croquis/geometry/mesh_topology.h"
 

@@ -10,7 +10,7 @@
 
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "algorithms/silhouette/reading/reading_costs.h"
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/reading/reading_lines.h"
-
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -11,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "algorithms/silhouette/reading/reading_program.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/text.h"
 

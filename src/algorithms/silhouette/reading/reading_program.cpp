@@ -13,6 +13,7 @@ namespace croquis::silhouette {
 namespace {
 
 using Term = IntegerProgram::Term;
+using Sides = ReadingVariables::Sides;
 
 // Bounds of the search for one reading: branches, and how much better than it another one may be. The first reading
 // gets all that it needs of the branches for all of them; the last resort needs hardly any.
@@ -48,14 +49,12 @@ bool allowed(StrokeKind given, LineKind kind) {
 
 constexpr Index on_left = 0, on_right = 1;
 
-void add_terms(const std::array<Index, 2>& variables, double factor, std::vector<Term>& row) {
+void add_terms(const Sides& variables, double factor, std::vector<Term>& row) {
   row.push_back({variables[on_left], factor});
   if (variables[on_right] != variables[on_left]) row.push_back({variables[on_right], factor});
 }
 
 double share_in(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0; }
-
-}  // namespace
 
 /// What is measured of a stroke, once.
 struct StrokeFeatures {
@@ -98,8 +97,6 @@ struct StrokeFeatures {
     return 0;
   }
 };
-
-namespace {
 
 /// Of all strokes.
 std::vector<StrokeFeatures> features_of(const std::vector<SampledStroke>& strokes, const Connections& found,
@@ -168,67 +165,72 @@ std::vector<double> least_contour_costs(const std::vector<StrokeFeatures>& featu
   return least;
 }
 
-}  // namespace
+/// What a reading is chosen from.
+struct Candidates {
+  const std::vector<SampledStroke>& strokes;
+  const Connections& connections;
+  std::size_t regions;
+  std::vector<StrokeFeatures> features;  ///< per stroke
 
-ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
-                               const Envelope& envelope)
-    : strokes_(strokes), connections_(connections) {
-  const std::vector<StrokeFeatures> features = features_of(strokes, connections, envelope);
-  for (const StrokeFeatures& own : features) can_be_limb_.push_back(!own.closed && own.hanging >= 1 ? 1 : 0);
-  add_strokes(features);
-  add_regions(features, envelope.regions.size());
-  add_connections(features);
-}
+  Index stroke_of(Index end) const { return connections.ends[end].stroke; }
+};
 
-void ReadingProgram::add_strokes(const std::vector<StrokeFeatures>& features) {
-  const std::vector<double> least = least_contour_costs(features, connections_);
-  for (Index s = 0; s < strokes_.size(); ++s) {
-    const StrokeFeatures& own = features[s];
+/// Σ x(s,k,o) = 1.
+void add_strokes(const Candidates& from, IntegerProgram& program, ReadingVariables& variables) {
+  const std::vector<double> least = least_contour_costs(from.features, from.connections);
+  for (Index s = 0; s < from.strokes.size(); ++s) {
+    const StrokeFeatures& own = from.features[s];
     const double cost_as_tube = own.closed ? IntegerProgram::unbounded : own.cost(LineKind::Tube);
     const double otherwise = std::min({own.cost(LineKind::Detail), own.cost(LineKind::Ignored), cost_as_tube});
-    const bool is_hopeless = strokes_[s].given_kind == StrokeKind::Visible && least[s] > otherwise + hopeless;
-    std::array<Sides, kind_count> kinds{};
+    const bool is_hopeless = from.strokes[s].given_kind == StrokeKind::Visible && least[s] > otherwise + hopeless;
+    std::array<Sides, ReadingVariables::kind_count> kinds{};
     std::vector<Term> one;
-    for (std::size_t k = 0; k < kind_count; ++k) {
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
       const auto kind = static_cast<LineKind>(k);
-      const bool possible = connections_.doubled[s] != no_index ? kind == LineKind::Ignored
-                            : kind == LineKind::Region          ? !own.regions.empty()
-                            : kind == LineKind::Tube            ? !own.closed
-                                                                : kind != LineKind::Contour || !is_hopeless;
-      const double most = possible && allowed(strokes_[s].given_kind, kind) ? 1 : 0;
+      const bool possible = from.connections.doubled[s] != no_index ? kind == LineKind::Ignored
+                            : kind == LineKind::Region              ? !own.regions.empty()
+                            : kind == LineKind::Tube                ? !own.closed
+                                                                    : kind != LineKind::Contour || !is_hopeless;
+      const double most = possible && allowed(from.strokes[s].given_kind, kind) ? 1 : 0;
       const bool bounds = kind == LineKind::Contour || kind == LineKind::Region;
-      kinds[k].fill(program_.add_variable(0, bounds && own.side < 0 ? 0 : most, own.cost(kind)));
-      if (bounds) kinds[k][on_right] = program_.add_variable(0, own.side > 0 ? 0 : most, own.cost(kind));
+      kinds[k].fill(program.add_variable(0, bounds && own.side < 0 ? 0 : most, own.cost(kind)));
+      if (bounds) kinds[k][on_right] = program.add_variable(0, own.side > 0 ? 0 : most, own.cost(kind));
       add_terms(kinds[k], 1, one);
     }
-    program_.add_row(one, 1, 1);
-    kind_.push_back(kinds);
+    program.add_row(one, 1, 1);
+    variables.kind.push_back(kinds);
   }
-  kinds_end_ = program_.variable_count();
+  variables.kinds_end = program.variable_count();
 }
 
-void ReadingProgram::add_regions(const std::vector<StrokeFeatures>& features, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) region_.emplace_back().fill(program_.add_variable(0, 1, costs::region));
-  for (Index s = 0; s < strokes_.size(); ++s) {
+/// Σ_o x(s,Region,o) <= Σ r of regions that s lies on; Σ_o x(s,Contour,o) + r <= 1 for these.
+void add_regions(const Candidates& from, IntegerProgram& program, ReadingVariables& variables) {
+  for (std::size_t k = 0; k < from.regions; ++k) {
+    variables.region.emplace_back().fill(program.add_variable(0, 1, costs::region));
+  }
+  for (Index s = 0; s < from.strokes.size(); ++s) {
     std::vector<Term> needs_one;
-    add_terms(variables(s, LineKind::Region), 1, needs_one);
-    for (const Index k : features[s].regions) {
-      add_terms(region_[k], -1, needs_one);
+    add_terms(variables.of(s, LineKind::Region), 1, needs_one);
+    for (const Index k : from.features[s].regions) {
+      add_terms(variables.region[k], -1, needs_one);
       std::vector<Term> either;
-      add_terms(region_[k], 1, either);
-      add_terms(variables(s, LineKind::Contour), 1, either);
-      program_.add_row(std::move(either), 0, 1);
+      add_terms(variables.region[k], 1, either);
+      add_terms(variables.of(s, LineKind::Contour), 1, either);
+      program.add_row(std::move(either), 0, 1);
     }
-    program_.add_row(std::move(needs_one), -IntegerProgram::unbounded, 0);
+    program.add_row(std::move(needs_one), -IntegerProgram::unbounded, 0);
   }
 }
 
-void ReadingProgram::add_connections(const std::vector<StrokeFeatures>& features) {
-  const std::vector<LineEnd>& ends = connections_.ends;
+/// Σ j(o) + Σ m(o) = x(s,Contour,o) at each end for each side; Σ h(o) = Σ m(o) likewise;
+/// Σ_o m(o) <= x(bar,Contour,p) + x(bar,Region,p) for the side p of the bar that the meeting says.
+void add_connections(const Candidates& from, IntegerProgram& program, ReadingVariables& variables) {
+  const std::vector<StrokeFeatures>& features = from.features;
+  const std::vector<LineEnd>& ends = from.connections.ends;
   std::vector<std::vector<Term>> visible(2 * ends.size()), hidden(2 * ends.size());  // per end and side
   for (Index e = 0; e < ends.size(); ++e) {
     for (const Index side : {on_left, on_right}) {
-      visible[2 * e + side].push_back({variables(ends[e].stroke, LineKind::Contour)[side], -1});
+      visible[2 * e + side].push_back({variables.of(ends[e].stroke, LineKind::Contour)[side], -1});
     }
   }
   // A line that goes on from one end to another one of its kind is walked against the direction of one of their
@@ -237,48 +239,82 @@ void ReadingProgram::add_connections(const std::vector<StrokeFeatures>& features
     const bool turned = ends[pair.a].at_start == ends[pair.b].at_start;
     Sides taken{};
     for (const Index side : {on_left, on_right}) {
-      taken[side] = program_.add_variable(0, 1, pair.cost + more);
+      taken[side] = program.add_variable(0, 1, pair.cost + more);
       rows[2 * pair.a + side].push_back({taken[side], 1});
       rows[2 * pair.b + (turned ? 1 - side : side)].push_back({taken[side], 1});
     }
     return taken;
   };
-  for (const EndJoin& join : connections_.joins) {
-    const Index a = stroke_of(join.a), b = stroke_of(join.b);
+  for (const EndJoin& join : from.connections.joins) {
+    const Index a = from.stroke_of(join.a), b = from.stroke_of(join.b);
     const bool opens_within = join.gap >= 1 && features[a].is_within() && features[b].is_within();
     const double more = (a == b ? features[a].cost_as_outline() : 0) + (opens_within ? costs::opening_within : 0);
-    join_.push_back(add_pair(join, more, visible));
+    variables.join.push_back(add_pair(join, more, visible));
   }
-  for (const EndMeeting& meeting : connections_.meetings) {
+  for (const EndMeeting& meeting : from.connections.meetings) {
     const Index front = meeting.side > 0 ? on_left : on_right;
-    std::vector<Term> has_bar{{variables(meeting.bar, LineKind::Contour)[front], -1},
-                              {variables(meeting.bar, LineKind::Region)[front], -1}};
-    Sides& taken = meeting_.emplace_back();
+    std::vector<Term> has_bar{{variables.of(meeting.bar, LineKind::Contour)[front], -1},
+                              {variables.of(meeting.bar, LineKind::Region)[front], -1}};
+    Sides& taken = variables.meeting.emplace_back();
     for (const Index side : {on_left, on_right}) {
-      taken[side] = program_.add_variable(0, 1, meeting.cost);
+      taken[side] = program.add_variable(0, 1, meeting.cost);
       visible[2 * meeting.end + side].push_back({taken[side], 1});
       hidden[2 * meeting.end + side].push_back({taken[side], -1});
     }
     add_terms(taken, 1, has_bar);
-    program_.add_row(std::move(has_bar), -1, 0);
+    program.add_row(std::move(has_bar), -1, 0);
   }
-  for (const EndJoin& pair : connections_.hidden) {
-    const Index stroke = stroke_of(pair.a);
-    const bool is_limb = stroke_of(pair.b) == stroke;
+  for (const EndJoin& pair : from.connections.hidden) {
+    const Index stroke = from.stroke_of(pair.a);
+    const bool is_limb = from.stroke_of(pair.b) == stroke;
     const Sides taken = add_pair(pair, is_limb ? features[stroke].cost_as_outline() : 0, hidden);
     // The surface of a limb lies in what its line goes round.
-    if (is_limb) program_.fix(taken[signed_area(strokes_[stroke].points) > 0 ? on_right : on_left], 0);
+    if (is_limb) program.fix(taken[signed_area(from.strokes[stroke].points) > 0 ? on_right : on_left], 0);
   }
   for (auto* rows : {&visible, &hidden}) {
     for (std::vector<Term>& row : *rows) {
-      if (!row.empty()) program_.add_row(std::move(row), 0, 0);
+      if (!row.empty()) program.add_row(std::move(row), 0, 0);
     }
   }
 }
 
+/// A line has hidden ends when an end of one of its strokes meets a bar.
+void add_open_lines(const Connections& connections, IntegerProgram& program, ReadingVariables& variables) {
+  const auto open_of = [&](Index end) { return variables.open[connections.ends[end].stroke]; };
+  for (std::size_t s = 0; s < variables.kind.size(); ++s) variables.open.push_back(program.add_variable(0, 1, 0));
+  std::vector<std::vector<Term>> meets_bar;  // per end
+  for (const LineEnd& end : connections.ends) meets_bar.push_back({{variables.open[end.stroke], -1}});
+  for (std::size_t i = 0; i < variables.meeting.size(); ++i) {
+    add_terms(variables.meeting[i], 1, meets_bar[connections.meetings[i].end]);
+  }
+  for (std::vector<Term>& row : meets_bar) program.add_row(std::move(row), -1, 0);
+  for (std::size_t i = 0; i < variables.join.size(); ++i) {
+    const Index a = open_of(connections.joins[i].a);
+    const Index b = open_of(connections.joins[i].b);
+    if (a == b) continue;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+      std::vector<Term> row{{from, 1}, {to, -1}};
+      add_terms(variables.join[i], 1, row);
+      program.add_row(std::move(row), -1, 1);
+    }
+  }
+}
+
+}  // namespace
+
+ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections,
+                               const Envelope& envelope)
+    : strokes_(strokes), connections_(connections) {
+  const Candidates from{strokes, connections, envelope.regions.size(), features_of(strokes, connections, envelope)};
+  for (const StrokeFeatures& own : from.features) can_be_limb_.push_back(!own.closed && own.hanging >= 1 ? 1 : 0);
+  add_strokes(from, program_, variables_);
+  add_regions(from, program_, variables_);
+  add_connections(from, program_, variables_);
+}
+
 std::optional<Reading> ReadingProgram::best() {
   const int nodes = std::clamp(maximum_nodes - nodes_, least_nodes, maximum_reading_nodes);
-  const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap, kinds_end_);
+  const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap, variables_.kinds_end);
   nodes_ += solution.nodes;
   if (solution.values.empty()) return std::nullopt;
   const auto is_taken = [&](const Sides& sides) {
@@ -291,8 +327,8 @@ std::optional<Reading> ReadingProgram::best() {
     }
     return taken;
   };
-  Reading reading{{}, taken_of(join_), taken_of(meeting_), taken_of(region_)};
-  for (const auto& kinds : kind_) {
+  Reading reading{{}, taken_of(variables_.join), taken_of(variables_.meeting), taken_of(variables_.region)};
+  for (const auto& kinds : variables_.kind) {
     reading.kinds.push_back(static_cast<LineKind>(std::ranges::find_if(kinds, is_taken) - kinds.begin()));
   }
   return reading;
@@ -308,39 +344,20 @@ void ReadingProgram::exclude(const Reading& reading, const std::vector<Index>& s
   };
   for (Index s = 0; s < strokes_.size(); ++s) {
     if (!is_meant(s)) continue;
-    add(variables(s, reading.kinds[s]));
+    add(variables_.of(s, reading.kinds[s]));
     // Whether a line is a detail or none makes no difference to contours.
-    if (reading.kinds[s] == LineKind::Detail) add_terms(variables(s, LineKind::Ignored), 1, all);
-    if (reading.kinds[s] == LineKind::Ignored) add_terms(variables(s, LineKind::Detail), 1, all);
+    if (reading.kinds[s] == LineKind::Detail) add_terms(variables_.of(s, LineKind::Ignored), 1, all);
+    if (reading.kinds[s] == LineKind::Ignored) add_terms(variables_.of(s, LineKind::Detail), 1, all);
   }
   for (std::size_t i = 0; connections && i < reading.joins.size(); ++i) {
     const EndJoin& join = connections_.joins[reading.joins[i]];
-    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(join_[reading.joins[i]]);
+    if (is_meant(stroke_of(join.a)) || is_meant(stroke_of(join.b))) add(variables_.join[reading.joins[i]]);
   }
   for (std::size_t i = 0; connections && i < reading.meetings.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[reading.meetings[i]];
-    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(meeting_[reading.meetings[i]]);
+    if (is_meant(stroke_of(meeting.end)) || is_meant(meeting.bar)) add(variables_.meeting[reading.meetings[i]]);
   }
   program_.add_row(std::move(all), 0, count - 1);
-}
-
-/// A line has hidden ends when an end of one of its strokes meets a bar.
-void ReadingProgram::add_open_lines() {
-  for (Index s = 0; s < strokes_.size(); ++s) open_.push_back(program_.add_variable(0, 1, 0));
-  std::vector<std::vector<Term>> meets_bar;  // per end
-  for (const LineEnd& end : connections_.ends) meets_bar.push_back({{open_[end.stroke], -1}});
-  for (std::size_t i = 0; i < meeting_.size(); ++i) add_terms(meeting_[i], 1, meets_bar[connections_.meetings[i].end]);
-  for (std::vector<Term>& row : meets_bar) program_.add_row(std::move(row), -1, 0);
-  for (std::size_t i = 0; i < join_.size(); ++i) {
-    const Index a = open_[stroke_of(connections_.joins[i].a)];
-    const Index b = open_[stroke_of(connections_.joins[i].b)];
-    if (a == b) continue;
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-      std::vector<Term> row{{from, 1}, {to, -1}};
-      add_terms(join_[i], 1, row);
-      program_.add_row(std::move(row), -1, 1);
-    }
-  }
 }
 
 bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, const Vec2& at) {
@@ -354,17 +371,17 @@ bool ReadingProgram::exclude_crossing(const Reading& reading, Index a, Index b, 
            });
   };
   if (!is_open(a) || !is_open(b)) return false;
-  if (open_.empty()) add_open_lines();
+  if (variables_.open.empty()) add_open_lines(connections_, program_, variables_);
   std::vector<Term> terms;
-  add_terms({open_[a], open_[b]}, 1, terms);
+  add_terms({variables_.open[a], variables_.open[b]}, 1, terms);
   // Other connections may cut off the end that crosses.
-  for (Index i = 0; i < meeting_.size(); ++i) {
+  for (Index i = 0; i < variables_.meeting.size(); ++i) {
     const EndMeeting& meeting = connections_.meetings[i];
     const Index stroke = stroke_of(meeting.end);
     const bool cuts =
         meeting.along < 0 && -meeting.along > cut_share * (connections_.ends[meeting.end].place - at).norm();
     const bool taken = std::ranges::count(reading.meetings, i) > 0;
-    if ((stroke == a || stroke == b) && cuts && !taken) add_terms(meeting_[i], -1, terms);
+    if ((stroke == a || stroke == b) && cuts && !taken) add_terms(variables_.meeting[i], -1, terms);
   }
   program_.add_row(std::move(terms), -IntegerProgram::unbounded, a == b ? 0 : 1);
   return true;
@@ -377,13 +394,13 @@ std::vector<Index> ReadingProgram::contradictions() const {
     given.push_back(s);
     IntegerProgram without = program_;
     for (const LineKind kind : {LineKind::Contour, LineKind::Detail, LineKind::Ignored}) set_most(without, s, kind, 1);
-    if (!without.solve(least_nodes, reading_gap, kinds_end_).values.empty()) contradicting.push_back(s);
+    if (!without.solve(least_nodes, reading_gap, variables_.kinds_end).values.empty()) contradicting.push_back(s);
   }
   return contradicting.empty() ? given : contradicting;
 }
 
 void ReadingProgram::set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const {
-  for (const Index variable : variables(stroke, kind)) program.set_bounds(variable, 0, most);
+  for (const Index variable : variables_.of(stroke, kind)) program.set_bounds(variable, 0, most);
 }
 
 void ReadingProgram::forbid_loss(Index stroke) {
@@ -397,7 +414,7 @@ void ReadingProgram::forbid(LineKind kind) {
 
 void ReadingProgram::allow_regions_only() {
   forbid(LineKind::Contour);
-  for (const Sides& region : region_) program_.fix(region[on_left], 1);
+  for (const Sides& region : variables_.region) program_.fix(region[on_left], 1);
 }
 
 }  // namespace croquis::silhouette

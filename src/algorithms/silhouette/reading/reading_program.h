@@ -8,6 +8,8 @@
 
 #include "algorithms/silhouette/reading/connections.h"
 #include "algorithms/silhouette/reading/envelope.h"
+#include "algorithms/silhouette/strokes/clean_line.h"
+#include "croquis/base/progress.h"
 #include "croquis/solver/integer_program.h"
 
 namespace croquis::silhouette {
@@ -29,7 +31,19 @@ struct Reading {
   std::vector<Index> regions;
 };
 
-struct StrokeFeatures;  ///< what is measured of a stroke
+/// What the program's variables stand for.
+struct ReadingVariables {
+  static constexpr std::size_t kind_count = 5;
+  /// With the surface on the left, and on the right; twice the same of what doesn't bound a surface on one side.
+  using Sides = std::array<Index, 2>;
+
+  std::vector<std::array<Sides, kind_count>> kind{};  ///< per stroke
+  Index kinds_end = 0;                                ///< the first variable after those of kinds
+  std::vector<Sides> join{}, meeting{}, region{};     ///< per candidate
+  std::vector<Index> open{};                          ///< per stroke: its line has hidden ends; empty until it matters
+
+  const Sides& of(Index stroke, LineKind line) const { return kind[stroke][static_cast<std::size_t>(line)]; }
+};
 
 /// Kinds and connections of all strokes, chosen together by an integer program. With x(s,k,o) = stroke s has kind k and
 /// the surface on its side o (left or right, of what bounds one), r = region taken, j(o) = join, m(o) = meeting,
@@ -71,27 +85,35 @@ class ReadingProgram {
   std::vector<Index> contradictions() const;
 
  private:
-  static constexpr std::size_t kind_count = 5;
-  /// With the surface on the left, and on the right; twice the same of what doesn't bound a surface on one side.
-  using Sides = std::array<Index, 2>;
-
-  const Sides& variables(Index stroke, LineKind kind) const { return kind_[stroke][static_cast<std::size_t>(kind)]; }
   Index stroke_of(Index end) const { return connections_.ends[end].stroke; }
   void set_most(IntegerProgram& program, Index stroke, LineKind kind, double most) const;
-  void add_strokes(const std::vector<StrokeFeatures>& features);
-  void add_regions(const std::vector<StrokeFeatures>& features, std::size_t count);
-  void add_connections(const std::vector<StrokeFeatures>& features);
-  void add_open_lines();
 
   const std::vector<SampledStroke>& strokes_;
   const Connections& connections_;
   std::vector<char> can_be_limb_;  ///< per stroke
   IntegerProgram program_;
+  ReadingVariables variables_;
   int nodes_ = 0;  ///< looked at by all searches
-  std::vector<std::array<Sides, kind_count>> kind_;
-  Index kinds_end_ = 0;  ///< the first variable after those of kinds
-  std::vector<Sides> join_, meeting_, region_;
-  std::vector<Index> open_;  ///< per stroke: its line has hidden ends; empty until it matters
 };
+
+/// The contours that a reading sees, as lines.
+struct ContourLines {
+  std::vector<CleanLine> lines;  ///< by the lowest stroke in them, then regions
+  Findings findings;             ///< gaps closed
+};
+
+/// Joins the contours' strokes and the outlines of regions to lines, smooths them (Taubin 1995) and samples them
+/// evenly.
+/// @param passes of smoothing
+ContourLines contour_lines(const Drawing& drawing, const SampledDrawing& sampled, const Connections& connections,
+                           const Envelope& envelope, const Reading& reading, int passes, const Progress& progress);
+
+/// The outlines of the limbs that were drawn as one line: everything within half a limb's width of them, where they
+/// leave what the contours bound, and a bit of it within, so that they grow out of it. Limbs that touch are one.
+/// @param contours of the drawing, any number of them open
+/// @param diagonal of the drawing
+/// @returns closed lines, counter-clockwise, samples a step apart
+std::vector<CleanLine> tube_outlines(const SampledDrawing& sampled, const Reading& reading,
+                                     const std::vector<CleanLine>& contours, double diagonal);
 
 }  // namespace croquis::silhouette

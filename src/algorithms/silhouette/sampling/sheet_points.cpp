@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/sampling/sheet_points.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +6,8 @@
 
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/sampling/proximity_grid.h"
-#include "algorithms/silhouette/sampling/rim_radius.h"
+#include "algorithms/silhouette/sampling/rims.h"
+#include "algorithms/silhouette/sampling/sheet_sampling.h"
 
 namespace croquis::silhouette {
 namespace {

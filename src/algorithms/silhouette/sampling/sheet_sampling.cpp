@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/sampling/planar_walk.h"
-#include "algorithms/silhouette/sampling/rim_distance.h"
-#include "algorithms/silhouette/sampling/rim_radius.h"
-#include "algorithms/silhouette/sampling/sheet_points.h"
+#include "algorithms/silhouette/sampling/rims.h"
 #include "algorithms/silhouette/skeleton/triangle_corners.h"
 #include "croquis/base/error.h"
 
@@ -21,7 +19,7 @@ namespace {
 constexpr int max_split_rounds = 20;
 
 // In parts of the first row's depth: an edge that starts shallower and ends past the row is cut there.
-constexpr double shallow = 0.5;
+constexpr double shallow_part = 0.5;
 constexpr double past_row = 1.3;
 
 /// Cuts a segment of the figure at these fractions.
@@ -91,7 +89,7 @@ std::optional<double> fraction_at_row(const SheetSampling& sheets, const RimDist
   if (rim.nearest[from] == no_index) return std::nullopt;
   const RimEdge& edge = rim.edges[rim.nearest[from]];
   const double start = rim.distance[from], depth = depth_below(sheets, edge, to);
-  if (start > shallow * edge.first_row || depth < past_row * edge.first_row) return std::nullopt;
+  if (start > shallow_part * edge.first_row || depth < past_row * edge.first_row) return std::nullopt;
   return (edge.first_row - start) / (depth - start);
 }
 

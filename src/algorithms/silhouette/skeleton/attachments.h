@@ -8,54 +8,62 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/silhouette/skeleton/skeleton.h"
+#include "croquis/base/members.h"
 #include "croquis/geometry/vector.h"
+#include "croquis/silhouette/options.h"
 
 namespace croquis::silhouette {
 
-/// How the pairs of a figure's objects are held that don't just keep the gap.
-class Attachments {
- public:
-  using Pair = std::pair<Index, Index>;  ///< objects (a, b), a < b
+/// Two objects of a figure, a < b.
+using ObjectPair = std::pair<Index, Index>;
 
-  /// Joined: they may sink into one another. A later call for the same pair counts.
-  /// @param kappa 0..1, see AttachedPair
-  void add(Index a, Index b, double kappa);
+/// How two objects are held; see AttachedPair.
+struct HeldPair {
+  Hold hold = Hold::Joined;  ///< or Resting: the upper one lies on the lower one; each stays a surface of its own
+  double kappa = 0;          ///< of joined ones, which may sink into one another
+  double blend = 0;          ///< of joined ones; 0: a sharp seam
+};
+constexpr auto members(const HeldPair& pair) { return std::tie(pair.hold, pair.kappa, pair.blend); }
+static_assert(lists_every_member<HeldPair>);
 
-  /// Resting: the upper one lies on the lower one; each stays a surface of its own. A later call counts.
-  void rest(Index a, Index b);
-
-  /// Whether no pair is joined.
-  bool empty() const { return kappa_.empty(); }
+/// The pairs of a figure's objects that don't just keep the gap.
+struct Attachments {
+  std::map<ObjectPair, HeldPair> held;
 
   /// None for objects that aren't joined, and for an object and itself.
-  std::optional<double> kappa(Index a, Index b) const;
+  std::optional<double> kappa(Index a, Index b) const {
+    const auto found = held.find(std::minmax(a, b));
+    const bool joined = found != held.end() && found->second.hold == Hold::Joined;
+    return joined ? std::optional(found->second.kappa) : std::nullopt;
+  }
 
-  bool resting(Index a, Index b) const;
-
-  /// Whether the object is joined to another one.
-  bool involves(Index object) const;
-
-  /// Objects that are joined, each group ascending, in the order of their first objects.
-  std::vector<std::vector<Index>> groups() const;
-
-  /// The two then keep apart.
-  void release(Index a, Index b);
-
-  /// Joined ones, with their kappa.
-  const std::map<Pair, double>& pairs() const { return kappa_; }
+  bool resting(Index a, Index b) const {
+    const auto found = held.find(std::minmax(a, b));
+    return found != held.end() && found->second.hold == Hold::Resting;
+  }
 
   /// Ascending.
-  const std::vector<Pair>& resting_pairs() const { return resting_; }
+  std::vector<ObjectPair> pairs(Hold hold) const {
+    std::vector<ObjectPair> found;
+    for (const auto& [pair, how] : held) {
+      if (how.hold == hold) found.push_back(pair);
+    }
+    return found;
+  }
 
- private:
-  std::map<Pair, double> kappa_;
-  std::vector<Pair> resting_;
+  bool any(Hold hold) const {
+    return std::ranges::any_of(held, [hold](const auto& entry) { return entry.second.hold == hold; });
+  }
+
+  /// Whether the object is joined to another one.
+  bool joins(Index object) const {
+    return std::ranges::any_of(held, [object](const auto& entry) {
+      const auto& [pair, how] = entry;
+      return how.hold == Hold::Joined && (pair.first == object || pair.second == object);
+    });
+  }
 };
-
-inline auto members(const Attachments& attachments) {
-  return std::tie(attachments.pairs(), attachments.resting_pairs());
-}
+inline auto members(const Attachments& attachments) { return std::tie(attachments.held); }
 
 /// Gap between an object and one that rests on it: too small to be seen, kept by files that round to u / 100.
 /// @param scale L
@@ -64,13 +72,9 @@ inline double resting_gap(double scale, double unit) { return std::max(0.01 * sc
 
 /// Distance of the middles of two attached parts of these half thicknesses: kappa times that of touching ones, but sunk
 /// by at least two fifths of the thinner one. Surfaces that only touch have no sound union.
-double attached_distance(double kappa, double a, double b);
-
-/// Per object the median radius of its skeleton's nodes, up to the last one that has nodes; 0 for one without.
-std::vector<double> object_radii(const Skeleton& skeleton);
-
-/// Per object, how hard it is to move: its median radius / L, the factor of its rows and thus the root of its
-/// energies'. Where parts press on one another, the thin one gives way and the wide one keeps its shape.
-std::vector<double> row_stiffness(const Skeleton& skeleton);
+inline double attached_distance(double kappa, double a, double b) {
+  constexpr double least_sinking = 0.4;
+  return std::min(kappa * (a + b), a + b - least_sinking * std::min(a, b));
+}
 
 }  // namespace croquis::silhouette

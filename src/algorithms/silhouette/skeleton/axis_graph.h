@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/silhouette/skeleton/immersed_triangulation.h"
+#include "algorithms/silhouette/skeleton/immersion.h"
 
 namespace croquis::silhouette {
 

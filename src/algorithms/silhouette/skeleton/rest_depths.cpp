@@ -2,21 +2,36 @@
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "algorithms/silhouette/skeleton/overlap_cycles.h"
 #include "croquis/solver/least_squares.h"
 #include "croquis/solver/sparse_rows.h"
 
 namespace croquis::silhouette {
+
+OverlapCycles overlap_cycles(const std::vector<std::vector<Index>>& below) {
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> graph(below.size());
+  for (std::size_t object = 0; object < below.size(); ++object) {
+    for (const Index lower : below[object]) boost::add_edge(object, lower, graph);
+  }
+  OverlapCycles cycles;
+  cycles.cycle.resize(below.size());
+  const auto cycle = boost::make_iterator_property_map(cycles.cycle.begin(), get(boost::vertex_index, graph));
+  cycles.count = boost::strong_components(graph, cycle);
+  return cycles;
+}
+
 namespace {
 
 /// In L: so much more than rows demand that none of them presses on a flat object.
-constexpr double clearance = 1e-4;
+constexpr double rest_clearance = 1e-4;
 
 /// Weights against that of two objects' difference.
 constexpr double plane_weight = 1;  // of the whole figure, times the weight of distance; settles where all of it lies
@@ -158,7 +173,7 @@ class RestProblem {
       if (upper == lower) continue;
       add_row({{upper, 1}, {lower, -1}});
       double& most = distances_[{upper, lower}];
-      most = std::max(most, bound.least / scale_ + clearance);
+      most = std::max(most, bound.least / scale_ + rest_clearance);
     }
   }
 
@@ -180,7 +195,7 @@ class RestProblem {
 
   void add_like_rows(Index body, const BodyParts& group) {
     double distance = 0;
-    for (const BodyPart& part : group) distance = std::max(distance, part.bound.least / scale_ + clearance);
+    for (const BodyPart& part : group) distance = std::max(distance, part.bound.least / scale_ + rest_clearance);
     for (const BodyPart& part : group) {
       double own = distance;
       // Limbs that grow out of a body have to reach it, each by itself.
@@ -215,6 +230,64 @@ ObjectBounds object_bounds(const Skeleton& skeleton, std::span<const CollisionRo
 std::vector<double> rest_depths(const Skeleton& skeleton, const ObjectBounds& bounds, const DepthSettings& settings,
                                 Progress& progress) {
   return RestProblem(skeleton, bounds, settings).solve(progress);
+}
+
+namespace {
+
+/// The most that the depths along one chain of objects, each over the next, add up to.
+double longest_chain(const std::vector<std::vector<Index>>& below, const std::vector<double>& depths) {
+  const OverlapCycles cycles = overlap_cycles(below);
+  std::vector<Index> from_below(depths.size());
+  std::iota(from_below.begin(), from_below.end(), Index{0});
+  std::ranges::stable_sort(from_below, {}, [&](Index object) { return cycles.cycle[object]; });
+  std::vector<double> own(cycles.count, 0), most_below(cycles.count, 0);
+  double longest = 0;
+  for (const Index object : from_below) {
+    const Index cycle = cycles.cycle[object];
+    own[cycle] += depths[object];
+    for (const Index lower : below[object]) {
+      const Index next = cycles.cycle[lower];
+      if (next != cycle) most_below[cycle] = std::max(most_below[cycle], own[next] + most_below[next]);
+    }
+    longest = std::max(longest, own[cycle] + most_below[cycle]);
+  }
+  return longest;
+}
+
+}  // namespace
+
+double explained_depth(const LabelledFigure& figure, const Skeleton& skeleton, double gap,
+                       const std::vector<double>& thickness) {
+  std::vector<double> widths(figure.objects.size(), 0), depths;
+  for (const SkeletonNode& node : skeleton.nodes) widths[node.object] = std::max(widths[node.object], 2 * node.radius);
+  for (Index object = 0; object < widths.size(); ++object) {
+    if (object < thickness.size()) widths[object] *= thickness[object];
+    depths.push_back(widths[object] + gap);
+  }
+  std::vector<std::vector<Index>> below(depths.size());
+  for (const FigureOverlap& overlap : figure.overlaps) {
+    if (overlap.upper == overlap.lower) {
+      depths[overlap.upper] += widths[overlap.upper] + gap;
+    } else {
+      below[overlap.upper].push_back(overlap.lower);
+    }
+  }
+  return longest_chain(below, depths);
+}
+
+std::vector<Index> objects_too_deep(std::vector<DepthRange> ranges, double most) {
+  const auto reach = [](const DepthRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); };
+  std::vector<Index> refused;
+  while (!ranges.empty()) {
+    const double low = std::ranges::min_element(ranges, {}, &DepthRange::low)->low;
+    const double high = std::ranges::max_element(ranges, {}, &DepthRange::high)->high;
+    if (high - low <= most) break;
+    const auto farthest = std::ranges::max_element(ranges, {}, reach);
+    refused.push_back(farthest->object);
+    ranges.erase(farthest);
+  }
+  std::ranges::sort(refused);
+  return refused;
 }
 
 }  // namespace croquis::silhouette

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
@@ -67,6 +68,26 @@ inline double median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+/// Per object the median radius of its skeleton's nodes, up to the last one that has nodes; 0 for one without.
+inline std::vector<double> object_radii(const Skeleton& skeleton) {
+  std::vector<std::vector<double>> radii;
+  for (const SkeletonNode& node : skeleton.nodes) {
+    if (node.object >= radii.size()) radii.resize(node.object + 1);
+    radii[node.object].push_back(node.radius);
+  }
+  std::vector<double> medians;
+  for (std::vector<double>& own : radii) medians.push_back(median(std::move(own)));
+  return medians;
+}
+
+/// Per object, how hard it is to move: its median radius / L, the factor of its rows and thus the root of its
+/// energies'. Where parts press on one another, the thin one gives way and the wide one keeps its shape.
+inline std::vector<double> row_stiffness(const Skeleton& skeleton) {
+  std::vector<double> stiffness = object_radii(skeleton);
+  for (double& factor : stiffness) factor = factor > 0 ? factor / skeleton.scale : 1;
+  return stiffness;
 }
 
 }  // namespace croquis::silhouette

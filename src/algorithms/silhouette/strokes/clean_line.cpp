@@ -192,7 +192,7 @@ std::vector<Vec2> uncross(CleanLine& line, const DrawingScale& scale) {
   const double clear = line.closed ? 0 : free_reach * scale.reach(line.size) / scale.step;
   std::vector<Vec2> places;
   while (places.size() <= most_self_crossings) {
-    const auto contacts = find_contacts(SegmentGrid(segments_of(std::vector{line}), scale.step));
+    const auto contacts = find_contacts(SegmentGrid(segments_of_lines(line), scale.step));
     const auto crossing = std::ranges::find_if(contacts, [&](const SegmentContact& contact) {
       return contact.a.position >= clear && line.segment_count() - contact.b.position >= clear;
     });

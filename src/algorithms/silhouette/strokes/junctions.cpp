@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/strokes/junctions.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/geometry/segment_grid.h"
 
 namespace croquis::silhouette {

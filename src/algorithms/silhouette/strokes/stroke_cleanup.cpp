@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/strokes/stroke_cleanup.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"

@@ -61,7 +61,7 @@ struct Approach {
 
 /// @param reach no farther and no deeper than that
 Approach approach_of(const CleanLine& line, const CleanLine& other, double reach) {
-  const SegmentGrid grid(segments_of(std::vector{other}), reach);
+  const SegmentGrid grid(segments_of_lines(other), reach);
   const double inside = signed_area(other.points) > 0 ? 1 : -1;
   Approach found;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -247,9 +247,9 @@ void move_aside(CleanLine& line, const CleanLine& cover, const SegmentGrid& grid
 /// Runs that stay near to a closed line are moved to its other side, and a line that only touches it is moved off it.
 /// @returns one of the places where the two are meant to cross
 std::optional<Vec2> settle_crossings(CleanLine& line, const CleanLine& cover, double shallow, double step) {
-  const SegmentGrid grid(segments_of(std::vector{cover}), step);
+  const SegmentGrid grid(segments_of_lines(cover), step);
   std::vector<double> crossings;  // parameters
-  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of(std::vector{line, cover}), step))) {
+  for (const SegmentContact& contact : find_contacts(SegmentGrid(segments_of_lines(line, cover), step))) {
     if (contact.a.line != contact.b.line) crossings.push_back(contact.a.position + contact.fraction_a);
   }
   std::ranges::sort(crossings);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/draping.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "algorithms/silhouette/skeleton/overlap_cycles.h"
+#include "algorithms/silhouette/skeleton/rest_depths.h"
+#include "algorithms/silhouette/surface/inflation.h"
 #include "croquis/solver/symmetric_factors.h"
 
 namespace croquis::silhouette {
@@ -112,7 +111,7 @@ std::vector<Index> draping_order(const std::vector<Index>& objects, const std::v
   for (const StackedPair& pair : pairs) {
     const auto [upper, lower] = std::pair(objects[pair.upper], objects[pair.lower]);
     if (pair.resting) rests[upper] = 1;
-    if (upper == lower || attachments.involves(upper)) tied[upper] = 1;
+    if (upper == lower || attachments.joins(upper)) tied[upper] = 1;
     if (std::exchange(last, {upper, lower}) != std::pair(upper, lower)) below[upper].push_back(lower);
   }
   const OverlapCycles cycles = overlap_cycles(below);
@@ -214,7 +213,7 @@ Eigen::VectorXd moved_to(const Eigen::VectorXd& floor, const ObjectSheet& sheet,
 Draping drape_sheets(const Skeleton& skeleton, const SheetBasis& basis, const DepthSettings& settings,
                      const MidSurfaceData& data, InflatedSheets& sheets, Progress& progress) {
   Draping draping{{}, Eigen::VectorXd::Zero(sheets.z.size())};
-  if (settings.attachments.resting_pairs().empty()) return draping;
+  if (!settings.attachments.any(Hold::Resting)) return draping;
   const std::vector<Index>& objects = basis.vertex_objects;
   const std::vector<double> radii = object_radii(skeleton);
   Eigen::VectorXd middle = Eigen::VectorXd::Constant(sheets.z.size(), nothing_below);

@@ -71,7 +71,7 @@ LeastSquaresProblem make_problem(const SheetOperator& op, const MidSurfaceData& 
 std::vector<StackedPair> stacked_pairs(const SheetSampling& sheets, const std::vector<Index>& objects,
                                        const Attachments& attachments) {
   const LiftedTriangulation& lifted = sheets.lifted;
-  const bool joined = !attachments.empty();
+  const bool joined = attachments.any(Hold::Joined);
   std::vector<StackedPair> pairs;
   std::vector<Index> last(lifted.planar_vertex.size(), no_index);  // per vertex the last one that was found below it
   for (Index t = 0; t < sheets.planar.triangles.size(); ++t) {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "algorithms/silhouette/skeleton/attachments.h"
-#include "algorithms/silhouette/surface/sheet_operator.h"
+#include "algorithms/silhouette/surface/thickness.h"
 #include "croquis/base/progress.h"
 #include "croquis/solver/least_squares_solver.h"
 

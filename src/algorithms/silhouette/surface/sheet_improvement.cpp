@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/silhouette/surface/sheet_improvement.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "algorithms/silhouette/surface/sheet_mesh.h"
 #include "algorithms/silhouette/surface/triangle_shape.h"
 
 namespace croquis::silhouette {

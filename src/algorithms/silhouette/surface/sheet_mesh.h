@@ -9,6 +9,7 @@
 
 #include "algorithms/silhouette/surface/inflation.h"
 #include "algorithms/silhouette/surface/shell.h"
+#include "croquis/base/progress.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
@@ -54,5 +55,13 @@ SheetMesh make_sheet_mesh(const InflatedSheets& sheets, const std::vector<Index>
 /// Doubles the region: front and back share the boundary vertices. One surface per object, in the figure's order; an
 /// object may have several components. Fronts come first; vertices in the order of the triangles.
 std::vector<Shell> object_surfaces(const LabelledFigure& figure, const SheetMesh& sheets);
+
+/// Flips edges and collapses short ones where triangles of the front or the back are slender in space.
+///
+/// Triangles that are even in the plane aren't so where a surface is steep, and each sheet carries the points of all
+/// others. The rim stays as it is, no edge joins two of its vertices, every triangle keeps its sense in the plane, and
+/// no sheet moves by more than its clearance, so that those that were apart stay apart. O(M) in practice.
+/// @throws Cancelled
+void improve_triangles(SheetMesh& mesh, Progress& progress);
 
 }  // namespace croquis::silhouette

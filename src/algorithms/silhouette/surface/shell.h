@@ -2,15 +2,12 @@
 #pragma once
 
 #include <map>
-#include <utility>
 #include <vector>
 
+#include "algorithms/silhouette/skeleton/attachments.h"
 #include "croquis/geometry/poly_mesh.h"
 
 namespace croquis::silhouette {
-
-/// Two objects of a figure, a < b.
-using ObjectPair = std::pair<Index, Index>;
 
 /// A closed surface of triangles: of one object of a figure, or of several joined.
 struct Shell {

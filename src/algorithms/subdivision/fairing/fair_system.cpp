@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
-#include "algorithms/subdivision/cage/face_cutting.h"
 #include "algorithms/subdivision/levels/level_geometry.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/polygon_area.h"
@@ -163,7 +162,7 @@ void keep_planes_beside_tags(const PolyMesh& mesh, const MeshTopology& topology,
     for (Index corner = mesh.face_offsets[face]; corner < mesh.face_offsets[face + 1]; ++corner) {
       beside = beside || sharpness[topology.edge(corner)] > 0;
     }
-    if (!beside || relative_deviation(mesh, face) > planar_tolerance) continue;
+    if (!beside || !is_planar(mesh, face)) continue;
     const Vec3 normal = area_normal(mesh, face);
     if (normal.norm() == 0) continue;
     for (const Index vertex : mesh.face(face)) remove_direction(normal.normalized(), freedom[vertex]);

@@ -2,17 +2,20 @@
 #include "croquis/subdivision/shape_keeping.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "algorithms/subdivision/cage/face_cutting.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/edge_channels.h"
 #include "croquis/geometry/mesh_topology.h"
+#include "croquis/geometry/polygon_area.h"
+#include "croquis/geometry/polygon_cut.h"
 
 namespace croquis::subdivision {
 namespace {
@@ -35,17 +38,38 @@ std::vector<bool> membership(const PolyMesh& mesh, std::span<const Index> faces)
   return member;
 }
 
-/// Tags and pins the edges that `chosen` accepts.
+std::array<Index, 2> sorted(std::array<Index, 2> vertices) {
+  if (vertices[1] < vertices[0]) std::swap(vertices[0], vertices[1]);
+  return vertices;
+}
+
+void finish_pins(std::vector<Index>& pins) {
+  std::sort(pins.begin(), pins.end());
+  pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+}
+
+/// Tags the edges that `chosen` accepts as sharp for ever, but on the boundary, and pins their ends. A finite crease
+/// becomes infinite and leaves the named sets, whose members share one sharpness.
 template <typename Chosen>
 void keep_edges(PolyMesh& mesh, const MeshTopology& topology, const Chosen& chosen) {
-  TagChanges changes(mesh.tags);
+  MeshTags& tags = mesh.tags;
+  std::map<std::array<Index, 2>, std::size_t> crease_of;
+  for (std::size_t i = 0; i < tags.creases.size(); ++i) crease_of[sorted(tags.creases[i].vertices)] = i;
   for (Index edge = 0; edge < topology.edge_count(); ++edge) {
     if (!chosen(edge)) continue;
-    const auto ends = topology.edge_vertices(edge);
-    if (topology.edge_corners(edge).size() > 1) changes.add_crease(ends);
-    for (const Index vertex : ends) changes.add_pin(vertex);
+    const std::array<Index, 2> ends = topology.edge_vertices(edge);
+    tags.pins.insert(tags.pins.end(), ends.begin(), ends.end());
+    if (topology.edge_corners(edge).size() == 1) continue;
+    const std::array<Index, 2> vertices = sorted(ends);
+    const auto [place, is_new] = crease_of.try_emplace(vertices, tags.creases.size());
+    if (is_new) {
+      tags.creases.push_back({vertices, infinite_sharpness});
+    } else if (tags.creases[place->second].sharpness != infinite_sharpness) {
+      tags.creases[place->second].sharpness = infinite_sharpness;
+      for (CreaseSet& set : tags.sets) std::erase(set.edges, vertices);
+    }
   }
-  changes.finish();
+  finish_pins(tags.pins);
 }
 
 std::size_t faces_in(const MeshTopology& topology, Index edge, const std::vector<bool>& member) {
@@ -54,12 +78,53 @@ std::size_t faces_in(const MeshTopology& topology, Index edge, const std::vector
       std::count_if(corners.begin(), corners.end(), [&](Index corner) { return member[topology.face(corner)]; }));
 }
 
+/// Triangles that replace a face, as corner numbers within it.
+using FaceTriangles = std::vector<std::array<Index, 3>>;
+
+struct CutMesh {
+  PolyMesh mesh;
+  std::vector<Index> source_face;  ///< #F of `mesh`
+};
+
+/// Replaces faces by triangles, in place of the face; attributes of faces and corners are those of the source.
+CutMesh with_faces_cut(const PolyMesh& mesh, const std::map<Index, FaceTriangles>& cuts) {
+  CutMesh result{mesh, {}};
+  result.mesh.face_offsets = {0};
+  result.mesh.corners.clear();
+  std::vector<Index> source_corner;
+  const auto add = [&](Index face, auto corners) {
+    for (const Index corner : corners) {
+      source_corner.push_back(mesh.face_offsets[face] + corner);
+      result.mesh.corners.push_back(mesh.face(face)[corner]);
+    }
+    result.mesh.face_offsets.push_back(static_cast<Index>(result.mesh.corners.size()));
+    result.source_face.push_back(face);
+  };
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    if (const auto cut = cuts.find(face); cut != cuts.end()) {
+      for (const auto& triangle : cut->second) add(face, triangle);
+    } else {
+      std::vector<Index> all(mesh.face(face).size());
+      std::iota(all.begin(), all.end(), Index{0});
+      add(face, all);
+    }
+  }
+  for (AttributeChannel& channel : result.mesh.channels) {
+    if (channel.domain == Domain::Face) channel = gathered(channel, result.source_face);
+    if (channel.domain == Domain::Corner) channel = gathered(channel, source_corner);
+  }
+  renumber_edge_channels(mesh, {}, result.mesh);
+  return result;
+}
+
+/// Cut as polygon_cut does, but without diagonals that are edges of the mesh already where there is another.
 std::map<Index, FaceTriangles> cuts_of_bent_faces(const PolyMesh& mesh, const std::vector<bool>& member) {
   const MeshTopology topology(mesh);
   std::map<Index, FaceTriangles> cuts;
   for (Index face = 0; face < mesh.face_count(); ++face) {
-    if (!member[face] || mesh.face(face).size() < 4 || relative_deviation(mesh, face) <= planar_tolerance) continue;
-    cuts.emplace(face, triangulated_face(mesh, topology, face));
+    if (!member[face] || mesh.face(face).size() < 4 || is_planar(mesh, face)) continue;
+    cuts.emplace(face, polygon_cut(mesh.positions, mesh.face(face),
+                                   [&](Index a, Index b) { return find_edge(topology, a, b) != no_index; }));
   }
   return cuts;
 }
@@ -110,6 +175,22 @@ double turn(const Vec3& before, const Vec3& at, const Vec3& after) {
 
 }  // namespace
 
+bool is_planar(const PolyMesh& mesh, Index face) {
+  // Coordinates of files in single precision are that far off.
+  constexpr double tolerance = 1e-6;
+  Vec3 centre = Vec3::Zero();
+  for (const Index vertex : mesh.face(face)) centre += mesh.positions[vertex];
+  centre /= static_cast<double>(mesh.face(face).size());
+  const Vec3 normal = area_normal(mesh, face).normalized();
+  double deviation = 0;
+  double radius = 0;
+  for (const Index vertex : mesh.face(face)) {
+    deviation = std::max(deviation, std::abs((mesh.positions[vertex] - centre).dot(normal)));
+    radius = std::max(radius, (mesh.positions[vertex] - centre).norm());
+  }
+  return !(radius > 0) || deviation / (2 * radius) <= tolerance;
+}
+
 KeptRegion keep_region(const PolyMesh& mesh, std::span<const Index> faces) {
   const std::vector<bool> member = membership(mesh, faces);
   const auto cuts = cuts_of_bent_faces(mesh, member);
@@ -139,14 +220,13 @@ PolyMesh keep_outline(const PolyMesh& mesh, std::span<const Index> faces) {
 PolyMesh pin_kinks(const PolyMesh& mesh, double least_turn) {
   const MeshTopology topology(mesh);
   PolyMesh result = mesh;
-  TagChanges changes(result.tags);
   const std::vector<TaggedEnds> ends = tagged_ends(mesh, topology);
   for (Index v = 0; v < ends.size(); ++v) {
     if (ends[v].count != 2) continue;
     const auto& [a, b] = ends[v].others;
-    if (turn(mesh.positions[a], mesh.positions[v], mesh.positions[b]) > least_turn) changes.add_pin(v);
+    if (turn(mesh.positions[a], mesh.positions[v], mesh.positions[b]) > least_turn) result.tags.pins.push_back(v);
   }
-  changes.finish();
+  finish_pins(result.tags.pins);
   return result;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/subdivision/levels/level_positions.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <new>
@@ -8,6 +6,7 @@
 
 #include <sys/mman.h>
 
+#include "algorithms/subdivision/refinement/refine.h"
 #include "croquis/base/parallel.h"
 #include "croquis/subdivision/half_edges.h"
 
@@ -116,7 +115,14 @@ std::size_t rows_bytes(const WeightRows& rows) { return array_bytes(rows.offsets
 
 }  // namespace
 
-void wish_large_pages(void* block, std::size_t bytes) {
+CornerFaces::CornerFaces(const HalfEdges& mesh) : offsets_(mesh.face_offsets.data()) {
+  face_.resize(mesh.corner_count());
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    std::fill(face_.begin() + mesh.face_offsets[face], face_.begin() + mesh.face_offsets[face + std::size_t{1}], face);
+  }
+}
+
+void request_large_pages(void* block, std::size_t bytes) {
   if (bytes < large_page || std::align(small_page, large_page, block, bytes) == nullptr) return;
   madvise(block, bytes, MADV_HUGEPAGE);
 }
@@ -126,7 +132,7 @@ void* allocate_block(std::size_t bytes) {
   if (bytes < large_page) {
     block = std::malloc(bytes);
   } else if (posix_memalign(&block, large_page, bytes) == 0) {
-    wish_large_pages(block, bytes);
+    request_large_pages(block, bytes);
   }
   if (block == nullptr && bytes > 0) throw std::bad_alloc();
   return block;

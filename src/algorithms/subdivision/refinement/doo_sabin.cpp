@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/subdivision/levels/level_positions.h"
 #include "algorithms/subdivision/refinement/point_rules.h"
 #include "algorithms/subdivision/refinement/refine.h"
 #include "croquis/base/error.h"
@@ -91,7 +90,7 @@ void resize_untouched(std::vector<Vec3>& points, std::size_t count) {
   const bool grows = count > points.capacity();
   if (grows) points = {};  // what was there needs no copy
   points.resize(count);    // Vec3 leaves its memory as it is
-  if (grows) wish_large_pages(points.data(), count * sizeof(Vec3));
+  if (grows) request_large_pages(points.data(), count * sizeof(Vec3));
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algorithms/subdivision/refinement/sectors.h"
-
 #include <algorithm>
 
+#include "algorithms/subdivision/refinement/special_faces.h"
 #include "croquis/geometry/disjoint_sets.h"
 #include "croquis/geometry/mesh_tags.h"
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "algorithms/silhouette/surface/shell.h"
 #include "croquis/base/progress.h"
 
+/// Attached parts become one surface.
 namespace croquis::silhouette {
 
 /// Why two parts could not become one surface.
@@ -39,5 +43,29 @@ struct PartJoining {
 /// At most two unions per pair, each O(n log n) in practice. @throws Cancelled
 PartJoining join_parts(std::span<const Shell* const> parts, std::span<const ObjectPair> pairs, double sliver,
                        Progress& progress);
+
+/// Rounds the seams between joined parts: a band along each seam is triangulated anew, evenly, and then bent as little
+/// as it can be (least squares of the Laplacian over the band; Kobbelt et al. 1998) while what lies around it stays.
+/// Outlines stay lines of edges, and bend with the band: they are moved where they meet the other part, and only there.
+/// @param radii  per pair of objects the half width of the band, sketch units; other seams stay sharp
+/// @param finest length of the bands' edges at least, sketch units
+/// @return none where there is nothing to round or the band can't be triangulated; what is returned must be checked for
+///         intersections
+/// O(n log n) in the vertices of the bands, O(n) in the others.
+std::optional<Shell> blend_seams(const Shell& joined, const std::map<ObjectPair, double>& radii, double finest);
+
+struct ImprovedUnion {
+  Shell surface;
+  std::vector<Index> changed;   ///< ascending, faces that aren't those of the surface given
+  std::vector<Index> vertices;  ///< per vertex the one of the surface given
+};
+
+/// Makes the slender triangles of a joined surface wider, next to its seams above all: edges are flipped, vertices
+/// moved within the surface, or onto one another. The surface moves by no more than a seventeenth of the edges there, a
+/// change moves a seam by no more than a fortieth and an outline by a 250th of the edge that takes its place; what
+/// faces the viewer still does. Only what lies beside a triangle is looked at: that nothing meets has to be checked.
+/// @param kept per vertex, triangles there stay as they are
+/// O(n) in practice.
+ImprovedUnion improve_union(const Shell& joined, const std::vector<std::uint8_t>& kept, Progress& progress);
 
 }  // namespace croquis::silhouette
