@@ -149,7 +149,7 @@ TEST_CASE("sides that were there at first are found again after splits") {
   }
 }
 
-TEST_CASE("what isn't a surface is told: crowded edges, touching fans, borders where none may be") {
+TEST_CASE("what isn't a surface is refused: crowded edges, touching fans, borders where none may be") {
   const Triangles closed = triangles_of(round_sphere(0));
   CHECK(EditableTriangles(closed, 12).is_manifold(0));
   Triangles twice = closed;

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -20,88 +21,76 @@ using namespace croquis::test;
 
 namespace {
 
-struct Case {
-  FairingInput input;
-  FairingResult patch;
-
-  Vec3& point(Index v) { return v < input.points.size() ? input.points[v] : patch.new_points[v - input.points.size()]; }
-};
-
 /// A sheet of squares whose middle is the patch; its inner vertices are thrown about.
 template <typename Height>
-Case middle_of_sheet(Index size, const Height& height) {
+LoosePatch middle_of_sheet(Index size, const Height& height) {
   const PolyMesh mesh = sheet(size, size);
   const auto is_inside = [&](const Vec3& p) {
     return std::max(std::abs(p.x() - size / 2.0), std::abs(p.y() - size / 2.0)) < 2;
   };
-  Case result;
+  LoosePatch result;
   Random random(1);
   std::vector<Index> number(mesh.vertex_count());
   for (const bool inside : {false, true}) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       Vec3 p = mesh.positions[v];
       if (is_inside(p) != inside) continue;
-      number[v] = static_cast<Index>(result.input.points.size() + result.patch.new_points.size());
+      number[v] = static_cast<Index>(result.points.size());
       p.z() = height(p);
-      if (inside)
-        result.patch.new_points.push_back(p + Vec3(0.3 * random.unit(), 0.3 * random.unit(), random.unit()));
-      else
-        result.input.points.push_back(p);
+      result.points.push_back(inside ? p + Vec3(0.3 * random.unit(), 0.3 * random.unit(), random.unit()) : p);
+      result.known += inside ? 0U : 1U;
     }
   }
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Triangle t = {mesh.face(f)[0], mesh.face(f)[1], mesh.face(f)[2]};
     const Vec3 middle = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
     for (Index& v : t) v = number[v];
-    (is_inside(middle) ? result.patch.patch : result.input.surroundings).push_back(t);
+    (is_inside(middle) ? result.triangles : result.surroundings).push_back(t);
   }
   return result;
 }
 
 /// Squared ways from vertices of the patch to the means of their neighbours, summed.
-double bending(Case& at) {
-  std::vector<std::set<Index>> neighbours(at.input.points.size() + at.patch.new_points.size());
+double bending(const LoosePatch& at) {
+  std::vector<std::set<Index>> neighbours(at.points.size());
   std::set<Index> counted;
-  for (const auto* triangles : {&at.input.surroundings, &at.patch.patch}) {
+  for (const auto* triangles : {&at.surroundings, &at.triangles}) {
     for (const Triangle& t : *triangles) {
       for (const Index v : t) neighbours[v].insert(t.begin(), t.end());
-      if (triangles == &at.patch.patch) counted.insert(t.begin(), t.end());
+      if (triangles == &at.triangles) counted.insert(t.begin(), t.end());
     }
   }
   double sum = 0;
   for (const Index v : counted) {
     Vec3 mean = Vec3::Zero();
-    for (const Index other : neighbours[v]) mean += other == v ? Vec3(0, 0, 0) : at.point(other);
-    sum += (mean / static_cast<double>(neighbours[v].size() - 1) - at.point(v)).squaredNorm();
+    for (const Index other : neighbours[v]) mean += other == v ? Vec3(0, 0, 0) : at.points[other];
+    sum += (mean / static_cast<double>(neighbours[v].size() - 1) - at.points[v]).squaredNorm();
   }
   return sum;
 }
 
 /// A regular polygon in the plane z = 0 as a fan, and nothing around it.
-FairingInput disc(Index corners, double radius) {
-  FairingInput input;
+LoosePatch disc(Index corners, double radius) {
+  LoosePatch input;
+  input.known = corners;
   for (Index i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners;
     input.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
   }
-  for (Index i = 1; i + 1 < corners; ++i) input.patch.push_back({0, i, i + 1});
+  for (Index i = 1; i + 1 < corners; ++i) input.triangles.push_back({0, i, i + 1});
   return input;
 }
-
-/// The disc's patch as one of a mesh that has the rim alone.
-HolePatch as_patch(const FairingResult& refined) { return {{0}, refined.new_points, refined.patch}; }
 
 struct DiscMeasures {
   double area = 0, mean_edge = 0;
   std::size_t boundary_edges = 0, nonmanifold_edges = 0;
 };
 
-DiscMeasures measure(const FairingInput& input, const FairingResult& refined) {
-  std::vector<Vec3> points = input.points;
-  points.insert(points.end(), refined.new_points.begin(), refined.new_points.end());
+DiscMeasures measure(const LoosePatch& refined) {
+  const std::vector<Vec3>& points = refined.points;
   DiscMeasures measures;
   std::map<std::pair<Index, Index>, int> edges;
-  for (const Triangle& t : refined.patch) {
+  for (const Triangle& t : refined.triangles) {
     measures.area += triangle_area(points[t[0]], points[t[1]], points[t[2]]);
     for (std::size_t i = 0; i < 3; ++i) ++edges[std::minmax(t[i], t[(i + 1) % 3])];
   }
@@ -116,14 +105,14 @@ DiscMeasures measure(const FairingInput& input, const FairingResult& refined) {
 }  // namespace
 
 TEST_CASE("evenly faired vertices bend least: moving any of them bends more, and what is known stays") {
-  Case wavy = middle_of_sheet(10, [](const Vec3& p) { return std::sin(p.x()) + 0.1 * p.y() * p.y(); });
-  const std::vector<Vec3> known = wavy.input.points;
+  LoosePatch wavy = middle_of_sheet(10, [](const Vec3& p) { return std::sin(p.x()) + 0.1 * p.y() * p.y(); });
+  const LoosePatch given = wavy;
   const double thrown = bending(wavy);
-  REQUIRE(fair_evenly(wavy.input, wavy.patch));
-  CHECK(wavy.input.points == known);
+  REQUIRE(fair_evenly(wavy));
+  CHECK(std::ranges::equal(std::span(wavy.points).first(wavy.known), std::span(given.points).first(given.known)));
   const double least = bending(wavy);
   CHECK(least < thrown / 2);
-  for (Vec3& p : wavy.patch.new_points) {
+  for (Vec3& p : std::span(wavy.points).subspan(wavy.known)) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       for (const double step : {-1e-3, 1e-3}) {
         const double before = p[axis];
@@ -136,9 +125,9 @@ TEST_CASE("evenly faired vertices bend least: moving any of them bends more, and
 }
 
 TEST_CASE("a patch in a flat sheet is faired flat, with its vertices where a sheet has them") {
-  Case flat = middle_of_sheet(12, [](const Vec3& p) { return 0.5 * p.x() - 0.25 * p.y() + 3; });
-  REQUIRE(fair_evenly(flat.input, flat.patch));
-  for (const Vec3& p : flat.patch.new_points) {
+  LoosePatch flat = middle_of_sheet(12, [](const Vec3& p) { return 0.5 * p.x() - 0.25 * p.y() + 3; });
+  REQUIRE(fair_evenly(flat));
+  for (const Vec3& p : std::span(flat.points).subspan(flat.known)) {
     CHECK(p.z() == Approx(0.5 * p.x() - 0.25 * p.y() + 3).margin(1e-9));
     CHECK(std::abs(p.x() - std::round(p.x())) < 1e-6);
     CHECK(std::abs(p.y() - std::round(p.y())) < 1e-6);
@@ -146,11 +135,11 @@ TEST_CASE("a patch in a flat sheet is faired flat, with its vertices where a she
 }
 
 TEST_CASE("fairing without new vertices changes nothing") {
-  Case none = middle_of_sheet(8, [](const Vec3&) { return 0.0; });
-  none.patch.new_points.clear();
-  none.patch.patch.clear();
-  CHECK(fair_evenly(none.input, none.patch));
-  CHECK(none.patch.new_points.empty());
+  LoosePatch none = middle_of_sheet(8, [](const Vec3&) { return 0.0; });
+  none.points.resize(none.known);
+  none.triangles.clear();
+  CHECK(fair_evenly(none));
+  CHECK(none.points.size() == none.known);
 }
 
 TEST_CASE("vertices move to the mean of their triangles' centroids, weighted by area, fixed ones stay") {
@@ -194,11 +183,10 @@ TEST_CASE("vertices come to rest nearer to where shorter edges are wanted") {
 TEST_CASE("refining keeps a patch's rim and its area, and gives the edges asked for") {
   for (const double coarseness : {1.0, 2.0}) {
     for (const Index corners : {12u, 60u, 240u}) {
-      const FairingInput input = disc(corners, 1);
-      const double edge = (input.points[0] - input.points[1]).norm();
-      const auto refined = refine_evenly(input, coarseness);
-      REQUIRE(refined);
-      const DiscMeasures measures = measure(input, *refined);
+      LoosePatch patch = disc(corners, 1);
+      const double edge = (patch.points[0] - patch.points[1]).norm();
+      REQUIRE(refine_evenly(patch, coarseness));
+      const DiscMeasures measures = measure(patch);
       CHECK(measures.area == Approx(0.5 * corners * std::sin(2 * std::numbers::pi / corners)));
       CHECK(measures.boundary_edges == corners);
       CHECK(measures.nonmanifold_edges == 0);
@@ -208,17 +196,16 @@ TEST_CASE("refining keeps a patch's rim and its area, and gives the edges asked 
 }
 
 TEST_CASE("refining refuses triangles that are no surface") {
-  FairingInput input = disc(12, 1);
-  input.patch.push_back(input.patch.front());
+  LoosePatch input = disc(12, 1);
+  input.triangles.push_back(input.triangles.front());
   CHECK_FALSE(refine_evenly(input, 1));
 }
 
 TEST_CASE("harmonic values are the mean of their neighbours', and exact where the rim has one value") {
-  const FairingInput input = disc(100, 3);
-  const auto refined = refine_evenly(input, 1);
-  REQUIRE(refined);
-  const HolePatch patch = as_patch(*refined);
-  const auto given = static_cast<Index>(input.points.size());
+  LoosePatch input = disc(100, 3);
+  REQUIRE(refine_evenly(input, 1));
+  const auto given = static_cast<Index>(input.known);
+  const HolePatch patch{{0}, {input.points.begin() + given, input.points.end()}, input.triangles};
   const HarmonicValues harmonic(patch, given);
   REQUIRE(harmonic.rim_vertices().size() == given);
 

@@ -113,7 +113,7 @@ TEST_CASE("a patch that folds back at its rim is doubtful, a flat one is what wa
   }
 }
 
-TEST_CASE("triangles that hang in a hole by a corner and that no patch can join are left to hang, and told") {
+TEST_CASE("triangles that hang in a hole by a corner and that no patch can join are left to hang, and reported") {
   HoledSheet scan;
   const Index a = scan.add(above), b = scan.add(above_too), c = scan.add(behind);
   scan.mesh.add_triangle(scan.left, a, b);
@@ -122,16 +122,16 @@ TEST_CASE("triangles that hang in a hole by a corner and that no patch can join 
   REQUIRE(before > 0);
   const FillResult result = fill(scan.mesh);
   const auto& holes = result.analysis.holes;
-  const auto stray = std::ranges::find(holes, 4, [](const Hole& hole) { return hole.vertices.size(); });
-  REQUIRE(stray != holes.end());
-  REQUIRE(stray->companions.size() == 1);
-  CHECK(result.outcomes[stray->id].action == FillAction::Leave);
-  CHECK(result.outcomes[stray->id].reason == hangs_at_rim);
-  CHECK(result.outcomes[stray->companions[0]].action == FillAction::Fill);
+  const auto detached = std::ranges::find(holes, 4, [](const Hole& hole) { return hole.vertices.size(); });
+  REQUIRE(detached != holes.end());
+  REQUIRE(detached->companions.size() == 1);
+  CHECK(result.outcomes[detached->id].action == FillAction::Leave);
+  CHECK(result.outcomes[detached->id].reason == hangs_at_rim);
+  CHECK(result.outcomes[detached->companions[0]].action == FillAction::Fill);
   CHECK(intersections(result.mesh) == before);
   CHECK(begins_with(result.mesh, scan.mesh));
   CHECK(sentence_of(result, "W_STRAYS") ==
-        "Hole " + std::to_string(stray->companions[0]) +
+        "Hole " + std::to_string(detached->companions[0]) +
             " was closed past 2 triangles that hang there by a corner and stay as they "
             "were: delete them in the source.");
 }
@@ -147,7 +147,7 @@ TEST_CASE("a triangle that hangs in a hole by a corner becomes part of the patch
   CHECK(begins_with(result.mesh, scan.mesh));
 }
 
-TEST_CASE("a rim that goes through the surface is told as the reason why its hole stays open") {
+TEST_CASE("a rim that goes through the surface is given as the reason why its hole stays open") {
   const auto with_flap = [](const Vec3& end) {
     HoledSheet scan;
     const Index a = scan.add(above), b = scan.add(end);

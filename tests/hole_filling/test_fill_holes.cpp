@@ -248,7 +248,7 @@ TEST_CASE("one hole that can't be filled stays open and keeps no other from it")
   CHECK(codes_of(result) == std::vector<std::string>{"W_OUTER_LEFT", "W_HOLE_FAILED"});
 }
 
-TEST_CASE("holes of which the same is to be told are told in one finding") {
+TEST_CASE("holes of which the same is to be reported share one finding") {
   const PolyMesh mesh = random_cuts(round_sphere(3), 9, 4, 0.2, 0.3).mesh;
   FillResult result = fill(mesh);
   REQUIRE(result.outcomes.size() == 4);

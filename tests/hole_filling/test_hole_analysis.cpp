@@ -197,7 +197,7 @@ TEST_CASE("a triangle that hangs in a hole by its corners divides it") {
   }
 }
 
-TEST_CASE("edges of many faces are no rims, and rims that end there are told") {
+TEST_CASE("edges of many faces are no rims, and rims that end there are reported") {
   // Three sheets on one edge: each has a border that ends at the edge's ends, where the next one takes over.
   PolyMesh book;
   book.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {-1, 1, 0}, {-1, 1, 1}, {-1, -1, 0}, {-1, -1, 1}};
@@ -232,7 +232,7 @@ TEST_CASE("a closed mesh has no holes and nothing to say") {
   }
 }
 
-TEST_CASE("dirt of every kind is told by its code, and the holes are found all the same") {
+TEST_CASE("dirt of every kind is reported by its code, and the holes are found all the same") {
   const PolyMesh clean = random_cuts(round_sphere(3), 4, 3, 0.2, 0.35).mesh;
   PolyMesh dirty = as_soup(flipped_face(clean, 40));
   dirty.add_triangle(9, 9, 10);

@@ -41,7 +41,7 @@ HoleRequest request_for(std::vector<Index> holes) {
   return request;
 }
 
-HoleRequest told_to_fill(std::vector<Index> holes, bool fill) {
+HoleRequest request_to_fill(std::vector<Index> holes, bool fill) {
   HoleRequest request = request_for(std::move(holes));
   request.fill = fill;
   return request;
@@ -89,15 +89,15 @@ TEST_CASE("a request fills or leaves a hole whatever the selection says; the las
   FillOptions options;
   options.selection = Selection::None;
   CHECK(actions_of(fill(scan(), options)) == "llllll");
-  options.requests = {told_to_fill({1, 4}, true)};
+  options.requests = {request_to_fill({1, 4}, true)};
   CHECK(actions_of(fill(scan(), options)) == "lfllfl");
-  options.requests.push_back(told_to_fill({4}, false));
+  options.requests.push_back(request_to_fill({4}, false));
   CHECK(actions_of(fill(scan(), options)) == "lfllll");
   options.selection = Selection::All;
   options.max_diameter = 0.001;
   CHECK(actions_of(fill(scan(), options)) == "lfllll");
   options.max_diameter = std::numeric_limits<double>::infinity();
-  options.requests = {told_to_fill({0, 2}, false)};
+  options.requests = {request_to_fill({0, 2}, false)};
   const FillResult result = fill(scan(), options);
   CHECK(actions_of(result) == "lflfff");
   CHECK(result.outcomes[0].reason == "asked to stay open");
@@ -126,7 +126,7 @@ TEST_CASE("a request for a patch's shape fills the hole, one about trimming does
 TEST_CASE("holes that aren't there are refused by their numbers, all at once") {
   FillOptions options;
   options.only = {1, 9};
-  options.requests = {told_to_fill({2, 11, 12, 13, 20}, true)};
+  options.requests = {request_to_fill({2, 11, 12, 13, 20}, true)};
   try {
     fill(scan(), options);
     FAIL("unknown holes must be refused");
@@ -142,12 +142,12 @@ TEST_CASE("a request for one hole changes its patch and no other") {
   FillOptions options;
   options.requests = {request_for({2})};
   options.requests[0].fairness = Fairness::Flat;
-  const FillResult wished = fill(scan(), options);
-  CHECK(wished.outcomes[2].method == "minimal");
-  CHECK(wished.outcomes[2].new_vertices == 0);
+  const FillResult asked = fill(scan(), options);
+  CHECK(asked.outcomes[2].method == "minimal");
+  CHECK(asked.outcomes[2].new_vertices == 0);
   for (const Index hole : {0u, 1u, 3u, 4u, 5u}) {
-    CHECK(wished.outcomes[hole].method == plain.outcomes[hole].method);
-    CHECK(points_of(wished, hole) == points_of(plain, hole));
+    CHECK(asked.outcomes[hole].method == plain.outcomes[hole].method);
+    CHECK(points_of(asked, hole) == points_of(plain, hole));
   }
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("an open section is capped flat unless a request wants another shape")
   const PolyMesh tube = open_tube(1, 4, 32, 10);
   FillOptions options;
   options.selection = Selection::All;
-  options.requests = {told_to_fill({0}, true)};
+  options.requests = {request_to_fill({0}, true)};
   CHECK(fill(tube, options).outcomes[0].new_vertices == 0);
   options.requests[0].fairness = Fairness::Tangent;
   const FillResult result = fill(tube, options);
@@ -178,7 +178,7 @@ TEST_CASE("two rims that are bridged become one patch, a handle between them") {
   CHECK(report.genus == 1);
   CHECK(report.self_intersections == 0);
   // A bridge with an end that stays open is none.
-  options.requests.push_back(told_to_fill({1}, false));
+  options.requests.push_back(request_to_fill({1}, false));
   CHECK(actions_of(fill(mesh, options)) == "fl");
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("trimming spares rims that stay open, even where they are near") {
   // Two holes a few edges apart: three rings of one would eat the other's rim.
   PolyMesh mesh = cut(cut(sheet(30, 20), Vec3(10, 10, 0), 3).mesh, Vec3(18, 10, 0), 3).mesh;
   FillOptions options;
-  options.requests = {told_to_fill({2}, false)};
+  options.requests = {request_to_fill({2}, false)};
   options.trim_rim = 3;
   const FillResult result = fill(mesh, options);
   CHECK(actions_of(result) == "lfl");

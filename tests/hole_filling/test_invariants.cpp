@@ -197,7 +197,7 @@ TEST_CASE("twenty holes of a sphere and of a torus are closed to a fifth of a pe
   }
 }
 
-TEST_CASE("the order of vertices and faces tells nothing about the surface") {
+TEST_CASE("the order of vertices and faces says nothing about the surface") {
   for (std::uint64_t seed = 0; seed < samples(2, 20); ++seed) {
     const PolyMesh mesh = random_cuts(ring_torus(60, 30), seed, 3, 0.15, 0.3).mesh;
     const FillResult plain = fill(mesh), other = fill(shuffled(mesh, seed));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patches stay near their holes; what they are for the whole model is told.
+// Patches stay near their holes; what they are for the whole model is reported.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -121,7 +121,7 @@ TEST_CASE("a wide end of a thing is its base, also where it is ragged or bent") 
   CHECK(class_of(cut(round_sphere(4), Vec3(0, 0, 1), 0.8).mesh) != HoleClass::Outer);
 }
 
-TEST_CASE("a box that grows by over a twentieth is told with the hole and the side, a smaller growth isn't") {
+TEST_CASE("a box that grows by over a twentieth is reported with the hole and the side, a smaller growth isn't") {
   FillOptions options;
   options.selection = Selection::All;
   options.flat_caps = false;

@@ -202,7 +202,7 @@ TEST_CASE("a hole and its islands become one sphere by cubes") {
   CHECK(greatest_radial_error(result) < 0.003);
 }
 
-TEST_CASE("a continuation that comes upon another rim tells, and both are filled together") {
+TEST_CASE("a continuation that comes upon another rim names it, and both are filled together") {
   // The wider rim is taken for a border, the piece beyond it therefore not for an island.
   const PolyMesh mesh = without(round_sphere(4), [](const Vec3& p) { return p.z() > 0.2 && p.z() < 0.95; });
   const HoleAnalysis analysis = analysis_of(mesh);

@@ -50,7 +50,7 @@ double mean_error(const FillResult& result, Value value) {
 
 }  // namespace
 
-TEST_CASE("the sides of a box around a hole are told apart by its edges") {
+TEST_CASE("the sides of a box around a hole are distinguished by its edges") {
   const std::vector<std::pair<Vec3, std::size_t>> expected = {
       {Vec3(0.5, 0.5, 1), 1}, {Vec3(0.5, 1, 1), 2}, {Vec3(1, 1, 1), 3}};
   for (const auto& [centre, count] : expected) {

@@ -184,7 +184,7 @@ TEST_CASE("the minority of a sheet is turned to agree with the rest") {
   }
 }
 
-TEST_CASE("a band with half a turn is told as one-sided") {
+TEST_CASE("a band with half a turn is reported as one-sided") {
   CHECK(view_of(moebius(7)).one_sided_components == 1);
   CHECK(view_of(merged(moebius(5), grid(2, 2))).one_sided_components == 1);
   CHECK(view_of(merged(moebius(5), grid(2, 2))).component_count == 2);

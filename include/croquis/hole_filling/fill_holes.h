@@ -30,6 +30,7 @@ struct HoleOutcome {
   std::string method;          ///< of the patch taken, empty without one
   std::string reason;          ///< why it was left, failed, or not filled by the first method
   double max_normal_jump = 0;  ///< greatest angle between the faces on the two sides of a rim edge
+  double mean_fold = 0;        ///< mean of those angles along the hole's own rim, by length; patched holes alone
   double min_angle = 0;        ///< of the patch's corners
   double confidence = 0;       ///< 0..1, by the error to be expected of the whole patch, see confidence_of
   std::size_t new_vertices = 0, new_faces = 0;  ///< of a patch for several holes: at its lowest

@@ -65,18 +65,19 @@ constexpr auto members(const PatchSettings& settings) {
 }
 static_assert(lists_every_member<PatchSettings>);
 
-/// What is wanted of single holes instead of the options for all. Of several requests for a hole the later
-/// ones win, each in what it sets.
+/// What is asked for single holes instead of the options for all; absent: the options count. Of several requests for a
+/// hole the later ones win, each in what it sets.
 struct HoleRequest {
-  std::vector<Index> holes;  ///< ids, ascending
-  bool bridge = false;       ///< one patch joins these rims, two or more, as a band
-  std::optional<bool>
-      fill;  ///< whether it is filled, whatever the selection; every other setting but `trim_rim` fills too
-  std::optional<Fairness> fairness;
-  std::optional<implicit::Kernel> kernel;
-  std::optional<double> bulge;
-  std::optional<int> trim_rim;  ///< 0..3 rings of faces
-  std::vector<Vec3> through;
+  std::vector<Index> holes = {};  ///< ids
+  bool bridge = false;            ///< one patch joins these rims, two or more, as a band
+  std::optional<bool> fill = {};  ///< whatever the selection says; every other setting but `trim_rim` fills too
+  std::optional<Fairness> fairness = {};
+  std::optional<implicit::Kernel> kernel = {};
+  std::optional<double> bulge = {};  ///< -1..1
+  std::optional<int> trim_rim = {};  ///< 0..3 rings of faces
+  std::vector<Vec3> through = {};    ///< places that the patch goes through, model units
+
+  friend bool operator==(const HoleRequest&, const HoleRequest&) = default;
 };
 
 /// How coordinates will be stored, which is how they are judged. A mesh that is given in double precision and will be

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "croquis/hole_filling/fill_options.h"
+#include "croquis/hole_filling/fill_holes.h"
+#include "croquis/hole_filling/hole_patch.h"
 
 /// Which holes are filled: one rule for the algorithms and for hosts that list the holes first.
 namespace croquis::hole_filling {
@@ -41,7 +43,7 @@ struct HoleChoice {
 /// @throws Error (E_PARAMETER) with one finding for every id in `only` that no hole has
 HoleChoice choose_holes(std::span<const Hole> holes, const FillOptions& options);
 
-/// Holes that one patch joins, and how it is to be made.
+/// Holes that one patch joins, how it is to be made, and what came of it.
 struct FillJob {
   std::vector<Index> holes;  ///< ascending
   PatchSettings settings;
@@ -50,6 +52,8 @@ struct FillJob {
   bool waits = false;                ///< for another job to join it: nothing is made of it alone
   std::vector<Index> detached = {};  ///< of the holes, ascending: islands of a few triangles that hang at another rim
                                      ///< by a vertex, and are let go where no patch joins them all
+  std::optional<HolePatch> patch = {};  ///< verified; none when no method had a sound one
+  HoleOutcome outcome = {};             ///< of each of the holes, without what depends on the patch alone
 };
 
 /// Jobs that wait, one for each border that the selection leaves open: where the surface around a hole goes on to the

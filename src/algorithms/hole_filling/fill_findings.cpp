@@ -158,14 +158,14 @@ void report_low_confidence(const PolyMesh& scan, const FillResult& result, Findi
 /// Patches that lead out of the scan's box, where they make a side of it longer by over a twentieth.
 void report_growth(const PolyMesh& scan, const FillResult& result, Findings& findings) {
   constexpr double greatest_growth = 0.05;
-  constexpr double least_told = 0.01;  // × diagonal: flat scans have sides of next to no length
+  constexpr double least_reported = 0.01;  // × diagonal: flat scans have sides of next to no length
   const Box before = box_of(scan.corners, [&](Index vertex) -> const Vec3& { return scan.positions[vertex]; });
   Box after = before;
   for (const HoleOutcome& outcome : result.outcomes) after.extend(outcome.box);
   for (const int axis : {0, 1, 2}) {
     const double side = before.sizes()[axis], grown = after.sizes()[axis];
     const double growth = grown - side;
-    if (growth <= greatest_growth * side || growth <= least_told * before.diagonal().norm()) continue;
+    if (growth <= greatest_growth * side || growth <= least_reported * before.diagonal().norm()) continue;
     const auto leads_out = [&](const HoleOutcome& o) {
       return !o.box.isEmpty() && (o.box.min()[axis] < before.min()[axis] || o.box.max()[axis] > before.max()[axis]);
     };

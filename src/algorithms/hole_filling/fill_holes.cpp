@@ -2,6 +2,7 @@
 #include "croquis/hole_filling/fill_holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -75,10 +76,20 @@ double widest_diagonal(const HoleAnalysis& analysis, const std::vector<Index>& h
   return widest;
 }
 
+/// The mean angle between a patch and the surface along a rim, by length.
+double mean_fold(const std::vector<RimFold>& along) {
+  double sum = 0, length = 0;
+  for (const RimFold& fold : along) {
+    sum += fold.length * std::abs(fold.angle);
+    length += fold.length;
+  }
+  return length > 0 ? sum / length : 0;
+}
+
 /// Per hole of the analysis.
 /// @param number of the first patch
 std::vector<HoleOutcome> outcomes_of(const PolyMesh& mesh, const HoleAnalysis& analysis,
-                                     const std::vector<MadePatch>& all_made, const std::vector<FillJob>& jobs,
+                                     const std::vector<FillJob>& all_made, const std::vector<FillJob>& jobs,
                                      const FillOptions& options, Index number) {
   std::vector<HoleOutcome> outcomes(analysis.holes.size());
   for (const FillJob& job : jobs) {
@@ -86,10 +97,14 @@ std::vector<HoleOutcome> outcomes_of(const PolyMesh& mesh, const HoleAnalysis& a
   }
   std::vector<double> confidences(all_made.size());
   for_each_part(all_made.size(), 1, options.threads, [&](std::size_t i, std::size_t) {
-    if (all_made[i].patch) confidences[i] = confidence_of(*all_made[i].patch, mesh, analysis);
+    const std::optional<HolePatch>& patch = all_made[i].patch;
+    if (!patch) return;
+    confidences[i] = confidence_of(*patch, mesh, analysis);
+    const auto folds = rim_folds(*patch, mesh, analysis);
+    for (std::size_t k = 0; k < folds.size(); ++k) outcomes[patch->holes[k]].mean_fold = mean_fold(folds[k]);
   });
   for (std::size_t i = 0; i < all_made.size(); ++i) {
-    const MadePatch& made = all_made[i];
+    const FillJob& made = all_made[i];
     HoleOutcome outcome = made.outcome;
     if (made.patch) {
       outcome.patch = number++;
@@ -98,7 +113,10 @@ std::vector<HoleOutcome> outcomes_of(const PolyMesh& mesh, const HoleAnalysis& a
       if (options.preset == Preset::Sharp)
         outcome.expected_error = error_at(outcome.confidence) * widest_diagonal(analysis, made.holes);
     }
-    for (const Index hole : made.holes) outcomes[hole] = outcome;
+    for (const Index hole : made.holes) {
+      outcome.mean_fold = outcomes[hole].mean_fold;
+      outcomes[hole] = outcome;
+    }
     if (!made.patch) continue;
     outcomes[made.holes.front()].new_vertices = made.patch->points.size();
     outcomes[made.holes.front()].new_faces = made.patch->triangles.size();
@@ -106,9 +124,9 @@ std::vector<HoleOutcome> outcomes_of(const PolyMesh& mesh, const HoleAnalysis& a
   return outcomes;
 }
 
-void count_domains(const std::vector<MadePatch>& all_made, FillResult& result) {
+void count_domains(const std::vector<FillJob>& all_made, FillResult& result) {
   std::vector<std::size_t> points;
-  for (const MadePatch& made : all_made) {
+  for (const FillJob& made : all_made) {
     if (made.patch) points.insert(points.end(), made.patch->domain_points.begin(), made.patch->domain_points.end());
   }
   if (points.empty()) return;
@@ -117,11 +135,11 @@ void count_domains(const std::vector<MadePatch>& all_made, FillResult& result) {
   result.points_per_domain = {points.front(), points[points.size() / 2], points.back()};
 }
 
-void assemble(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<MadePatch> all_made,
+void assemble(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> all_made,
               const FillOptions& options, FillResult& result) {
   std::vector<HolePatch> patches;
   result.open_edges = analysis.view.rim_corners.size();
-  for (MadePatch& made : all_made) {
+  for (FillJob& made : all_made) {
     if (!made.patch) continue;
     for (const Index hole : made.patch->holes) result.open_edges -= analysis.holes[hole].vertices.size();
     patches.push_back(std::move(*made.patch));
@@ -197,7 +215,7 @@ FillResult fill_holes(const PolyMesh& scan, const FillOptions& options, Progress
   else if (!jobs.empty())
     std::ranges::copy(waiting_jobs(result.analysis.holes, options, choice.is_border), std::back_inserter(jobs));
   const ScanNumbers numbers(scan, trimmed.get(), analysis, key.bytes());
-  std::vector<MadePatch> made = make_patches(mesh, analysis, jobs, options, numbers, filling);
+  std::vector<FillJob> made = make_patches(mesh, analysis, jobs, options, numbers, filling);
   result.outcomes = outcomes_of(mesh, analysis, made, jobs, options, next_patch_number(scan));
   if (trimmed) result.outcomes = outcomes_before_trimming(*trimmed, result.outcomes, choice.is_chosen);
   for (std::size_t i = 0; i < result.outcomes.size(); ++i) {

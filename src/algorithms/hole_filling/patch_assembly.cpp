@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
-#include <limits>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -49,10 +49,6 @@ void append_elements(PolyMesh& mesh, Index vertices_given, const HolePatch& patc
     mesh.add_face(t);
   }
 }
-
-/// What stands for "none here": not a number, or 0 where the type has no such value.
-template <typename T>
-constexpr T none = std::is_floating_point_v<T> ? std::numeric_limits<T>::quiet_NaN() : T{0};
 
 /// Values of a vertex channel for a patch's new vertices: continued from its rims, or the first of them for categories.
 template <typename T>
@@ -110,29 +106,19 @@ void continue_vertex_channel(const PolyMesh& mesh, std::span<const Placed> place
       channel.data);
 }
 
-/// Every face of a patch gets the values of the face beside its first rim edge.
-void continue_face_channel(const HoleAnalysis& analysis, std::span<const Placed> placed, AttributeChannel& channel) {
-  std::visit(
-      [&](auto& values) {
-        const auto width = static_cast<std::size_t>(channel.width);
-        for (const Placed& p : placed) {
-          const Index beside = analysis.view.face[analysis.holes[p.patch->holes.front()].corners.front() / 3];
-          for (std::size_t f = 0; f < p.patch->triangles.size(); ++f) {
-            for (std::size_t i = 0; i < width; ++i) values.push_back(values[beside * width + i]);
-          }
-        }
-      },
-      channel.data);
-}
-
-/// New corners and edges come after the old ones and have no values.
-void continue_without_values(const PolyMesh& mesh, AttributeChannel& channel) {
-  std::visit(
-      [&](auto& values) {
-        using T = typename std::remove_reference_t<decltype(values)>::value_type;
-        values.resize(mesh.element_count(channel.domain) * static_cast<std::size_t>(channel.width), none<T>);
-      },
-      channel.data);
+/// Every face of a patch gets the values of the face beside its first rim edge; new corners and edges come after the
+/// old ones and have no values.
+void continue_other_channel(const PolyMesh& grown, const HoleAnalysis& analysis, std::span<const Placed> placed,
+                            AttributeChannel& channel) {
+  std::vector<Index> sources(grown.element_count(channel.domain), no_index);
+  const std::size_t given = std::min(channel.size() / static_cast<std::size_t>(channel.width), sources.size());
+  std::iota(sources.begin(), sources.begin() + static_cast<std::ptrdiff_t>(given), Index{0});
+  for (const Placed& p : placed) {
+    if (channel.domain != Domain::Face) break;
+    const Index beside = analysis.view.face[analysis.holes[p.patch->holes.front()].corners.front() / 3];
+    std::fill_n(sources.begin() + p.first_face, p.patch->triangles.size(), beside);
+  }
+  channel = gathered(channel, sources);
 }
 
 const std::vector<std::int32_t>* numbers_of(const PolyMesh& mesh) {
@@ -199,8 +185,8 @@ PolyMesh append_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std:
       for (const HolePatch& patch : patches) graphs.emplace_back(patch, static_cast<Index>(mesh.vertex_count()));
     }
     if (channel.domain == Domain::Vertex) continue_vertex_channel(grown, placed, graphs, channel);
-    if (channel.domain == Domain::Face) continue_face_channel(analysis, placed, channel);
-    if (channel.domain == Domain::Corner || channel.domain == Domain::Edge) continue_without_values(grown, channel);
+    if (channel.domain == Domain::Face || channel.domain == Domain::Corner || channel.domain == Domain::Edge)
+      continue_other_channel(grown, analysis, placed, channel);
   }
   if (!mark_patches) return grown;
   number_patches(grown, next_patch_number(mesh), placed);

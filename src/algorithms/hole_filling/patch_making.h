@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "algorithms/hole_filling/rim_trimming.h"
-#include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_choice.h"
-#include "croquis/hole_filling/hole_patch.h"
 
 namespace croquis::hole_filling {
-
-/// What became of the holes of a job.
-struct MadePatch {
-  std::vector<Index> holes;        ///< ascending
-  std::optional<HolePatch> patch;  ///< verified; none when no method had a sound one
-  HoleOutcome outcome;             ///< of each of the holes, without what depends on the patch alone. Its reason is the
-                                   ///< fault of the first patch that was tried, unless one of its kind was taken
-};
 
 /// Makes a patch for each job, by the first of its methods whose patch is sound.
 ///
 /// In rounds: every open job makes a patch by its next method, on several threads, then all are verified together; of
 /// two that meet the first one is taken. The same for any number of threads, and with any cache.
 /// @param numbers of the scan that the mesh is left of, for the cache of the options
-/// @return by their lowest holes
+/// @return the jobs with their patches and outcomes, by their lowest holes; those that waited in vain are left out
 /// @throws Cancelled
-std::vector<MadePatch> make_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> jobs,
-                                    const FillOptions& options, const ScanNumbers& numbers, Progress& progress);
+std::vector<FillJob> make_patches(const PolyMesh& mesh, const HoleAnalysis& analysis, std::vector<FillJob> jobs,
+                                  const FillOptions& options, const ScanNumbers& numbers, Progress& progress);
 
 /// The mesh with the patches' vertices and faces behind its own, in the patches' order; all channels continued.
 /// @param mark_patches whether the face channel "patch_id" holds each patch's number, and the vertex channel

@@ -82,17 +82,15 @@ std::vector<AttributeChannel> channels_like(const PolyMesh& mesh, std::size_t ve
 
 void keep_values(std::span<const Index> vertices, std::span<const Index> faces, std::vector<AttributeChannel>& channels,
                  HoleMarks& marks, std::vector<std::int32_t>& labels) {
-  const auto keep = [](std::span<const Index> kept, std::size_t width, auto& values) {
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      for (std::size_t k = 0; k < width; ++k) values[i * width + k] = values[kept[i] * width + k];
-    values.resize(kept.size() * width);
+  const auto keep = [](std::span<const Index> kept, auto& values) {
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
     values.shrink_to_fit();
   };
-  for (AttributeChannel& channel : channels)
-    std::visit([&](auto& values) { keep(vertices, static_cast<std::size_t>(channel.width), values); }, channel.data);
-  keep(vertices, 1, marks.hole);
-  keep(vertices, 1, marks.confidence);
-  keep(faces, 1, labels);
+  for (AttributeChannel& channel : channels) channel = gathered(channel, vertices);
+  keep(vertices, marks.hole);
+  keep(vertices, marks.confidence);
+  keep(faces, labels);
 }
 
 void transfer(PolyMesh& made, const RemeshPart& part, std::size_t piece, const NearestScan& given,

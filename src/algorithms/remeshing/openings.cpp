@@ -8,7 +8,6 @@
 #include <tuple>
 #include <variant>
 
-#include "croquis/geometry/polygon_area.h"
 #include "croquis/geometry/triangle_fans.h"
 #include "croquis/hole_filling/fill_holes.h"
 #include "croquis/hole_filling/hole_analysis.h"
@@ -40,35 +39,6 @@ bool stays_open(const Hole& loop, const Opening& opening, const FillOptions& opt
   return named_holes({&size, 1}, options.selection, options.max_diameter).front() != Naming::Named;
 }
 
-const std::vector<std::int32_t>* patches_of(const PolyMesh& mesh) {
-  const AttributeChannel* channel = mesh.channel(patch_channel, Domain::Face);
-  return channel == nullptr ? nullptr : &std::get<std::vector<std::int32_t>>(channel->data);
-}
-
-/// Mean angle between a patch and the surface around, radians, by the rim edges of a loop that the patch closes.
-double mean_fold(const FillResult& filled, Index loop) {
-  const PolyMesh& mesh = filled.mesh;
-  const SurfaceView& view = filled.analysis.view;
-  const std::vector<std::int32_t>& patch_of = *patches_of(mesh);
-  const auto patch = static_cast<std::int32_t>(filled.outcomes[loop].patch);
-  std::map<std::pair<Index, Index>, std::size_t> face_at;
-  for (std::size_t f = 0; f < patch_of.size(); ++f) {
-    if (patch_of[f] != patch) continue;
-    const auto face = mesh.face(f);
-    for (std::size_t k = 0; k < 3; ++k) face_at[{face[k], face[(k + 1) % 3]}] = f;
-  }
-  double sum = 0, length = 0;
-  for (const Index corner : filled.analysis.holes[loop].corners) {
-    const Index a = view.origin(corner), b = view.target(corner);
-    const auto across = face_at.find({b, a});
-    if (across == face_at.end()) continue;
-    const double edge = (mesh.positions[b] - mesh.positions[a]).norm();
-    sum += edge * angle_between(area_normal(mesh, view.face[corner / 3]), area_normal(mesh, across->second));
-    length += edge;
-  }
-  return length > 0 ? sum / length : 0;
-}
-
 /// Whether nothing near shows the shape of what views leave between them, so that the best patch is a guess; or it is
 /// the end of what they saw of a limb, or of the inside of a pot, and no hole in what they saw: wide, and the surface
 /// around leads on out of it, where its patch doesn't follow.
@@ -77,7 +47,7 @@ bool is_guess(const FillResult& filled, const Opening& opening) {
   if (opening.rule != RimRule::Seam || outcome.action != FillAction::Fill) return false;
   if (outcome.confidence < low_confidence) return true;
   return is_wide(filled.analysis, opening.loop) && filled.analysis.holes[opening.loop].conormal_tilt < end_tilt &&
-         mean_fold(filled, opening.loop) > end_fold;
+         outcome.mean_fold > end_fold;
 }
 
 /// Asks for flat patches of those openings for which that holds. @return whether there are any
@@ -159,9 +129,10 @@ PatchedOpenings close_by_patches(PolyMesh& surface, Openings& openings, const Fi
     patched.closed.emplace_back(opening, outcome);
     hole_of_patch.emplace(static_cast<std::int32_t>(outcome.patch), opening.hole);
   }
-  if (const std::vector<std::int32_t>* patch_of = patches_of(filled.mesh)) {
-    for (std::size_t f = first_face; f < patch_of->size(); ++f)
-      patched.faces.emplace_back(f, hole_of_patch[(*patch_of)[f]]);
+  if (const AttributeChannel* channel = filled.mesh.channel(patch_channel, Domain::Face)) {
+    const auto& patch_of = std::get<std::vector<std::int32_t>>(channel->data);
+    for (std::size_t f = first_face; f < patch_of.size(); ++f)
+      patched.faces.emplace_back(f, hole_of_patch[patch_of[f]]);
   }
   surface = std::move(filled.mesh);
   surface.channels.clear();

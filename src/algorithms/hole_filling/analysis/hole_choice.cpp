@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "algorithms/hole_filling/analysis/sorted_lists.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/disjoint_sets.h"
 
@@ -97,6 +98,7 @@ std::vector<bool> bridge_rims(const FillOptions& options, const std::vector<bool
     std::vector<Index> rims;
     std::copy_if(request.holes.begin(), request.holes.end(), std::back_inserter(rims),
                  [&](Index hole) { return is_chosen[hole]; });
+    sort_unique(rims);
     if (rims.size() < 2) continue;
     for (const Index rim : rims) {
       together.unite(rims.front(), rim);

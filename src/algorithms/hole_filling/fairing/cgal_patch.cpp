@@ -29,55 +29,40 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-struct LocalMesh {
+/// @return false when the surroundings aren't manifold, the system is singular or a coordinate isn't finite
+bool refined_and_faired(LoosePatch& patch, double density, const Progress& progress) {
   Mesh mesh;
-  std::vector<Mesh::Face_index> patch;
-  bool is_manifold = true;
-};
-
-LocalMesh build(const FairingInput& input) {
-  LocalMesh local;
-  for (const Vec3& point : input.points) local.mesh.add_vertex(to_point(point));
-  const auto add = [&](const Triangle& t) {
-    const auto face = local.mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    local.is_manifold &= face != Mesh::null_face();
-    return face;
-  };
-  for (const Triangle& t : input.surroundings) add(t);
-  for (const Triangle& t : input.patch) local.patch.push_back(add(t));
-  return local;
-}
-
-/// @return nothing when a coordinate isn't finite
-std::optional<FairingResult> read_back(const FairingInput& input, const LocalMesh& local) {
-  FairingResult result;
-  for (std::size_t v = input.points.size(); v < local.mesh.number_of_vertices(); ++v) {
-    const Point& point = local.mesh.point(Mesh::Vertex_index(static_cast<Index>(v)));
-    result.new_points.emplace_back(point.x(), point.y(), point.z());
-    if (!result.new_points.back().allFinite()) return std::nullopt;
+  std::vector<Mesh::Face_index> faces;  // of the patch
+  for (const Vec3& point : patch.points) mesh.add_vertex(to_point(point));
+  for (const Triangles* triangles : {&patch.surroundings, &patch.triangles}) {
+    faces.clear();
+    for (const auto& [a, b, c] : *triangles) {
+      faces.push_back(mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)));
+      if (faces.back() == Mesh::null_face()) return false;
+    }
   }
-  for (const Mesh::Face_index face : local.patch) {
-    Triangle t{};
-    std::size_t i = 0;
-    for (const auto vertex : local.mesh.vertices_around_face(local.mesh.halfedge(face))) t[i++] = vertex.idx();
-    result.patch.push_back(t);
-  }
-  return result;
-}
-
-std::optional<FairingResult> refine_and_fair(const FairingInput& input, const Progress& progress) {
-  LocalMesh local = build(input);
-  if (!local.is_manifold) return std::nullopt;
   progress.check();
   std::vector<Mesh::Vertex_index> new_vertices;
   std::vector<Mesh::Face_index> new_faces;
-  pmp::refine(local.mesh, local.patch, std::back_inserter(new_faces), std::back_inserter(new_vertices),
-              CGAL::parameters::density_control_factor(input.density));
-  local.patch.insert(local.patch.end(), new_faces.begin(), new_faces.end());
+  pmp::refine(mesh, faces, std::back_inserter(new_faces), std::back_inserter(new_vertices),
+              CGAL::parameters::density_control_factor(density));
+  faces.insert(faces.end(), new_faces.begin(), new_faces.end());
   progress.check();
-  if (!new_vertices.empty() && !pmp::fair(local.mesh, new_vertices, CGAL::parameters::fairing_continuity(1U)))
-    return std::nullopt;
-  return read_back(input, local);
+  if (!new_vertices.empty() && !pmp::fair(mesh, new_vertices, CGAL::parameters::fairing_continuity(1U))) return false;
+  std::vector<Vec3> new_points;
+  for (std::size_t v = patch.points.size(); v < mesh.number_of_vertices(); ++v) {
+    const Point& point = mesh.point(Mesh::Vertex_index(static_cast<Index>(v)));
+    new_points.emplace_back(point.x(), point.y(), point.z());
+    if (!new_points.back().allFinite()) return false;
+  }
+  patch.points.insert(patch.points.end(), new_points.begin(), new_points.end());
+  patch.triangles.clear();
+  for (const Mesh::Face_index face : faces) {
+    std::size_t i = 0;
+    Triangle& t = patch.triangles.emplace_back();
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) t[i++] = vertex.idx();
+  }
+  return true;
 }
 
 }  // namespace
@@ -100,13 +85,13 @@ Triangles cgal_delaunay_triangles(std::span<const Vec3> points) {
   return triangles;
 }
 
-std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Progress& progress) {
+bool cgal_refine_and_fair(LoosePatch& patch, double density, const Progress& progress) {
   try {
-    return refine_and_fair(input, progress);
+    return refined_and_faired(patch, density, progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception&) {
-    return std::nullopt;
+    return false;
   }
 }
 

@@ -31,7 +31,7 @@ constexpr double least_flip_gain = 1e-9;
 class PatchEditing {
  public:
   PatchEditing(LoosePatch& patch, EditableTriangles& sides)
-      : points_(patch.points), sizes_(patch.sizes), rim_points_(static_cast<Index>(patch.rim_points)), sides_(sides) {}
+      : points_(patch.points), sizes_(patch.sizes), rim_points_(static_cast<Index>(patch.known)), sides_(sides) {}
 
   void run() {
     split_long();
@@ -274,7 +274,7 @@ std::vector<double> mean_lengths(std::span<const Vec3> points, std::span<const s
 
 bool bring_to_size(LoosePatch& patch) {
   EditableTriangles sides(patch.triangles, patch.points.size());
-  if (!sides.is_manifold(patch.rim_points)) return false;
+  if (!sides.is_manifold(patch.known)) return false;
   PatchEditing(patch, sides).run();
   take_back(sides, patch);
   return true;
@@ -298,35 +298,20 @@ void relax(LoosePatch& patch, std::span<const std::uint8_t> fixed) {
   }
 }
 
-std::optional<FairingResult> refine_evenly(const FairingInput& input, double coarseness) {
-  const std::vector<Index> rim = vertices_of(input.patch);
-  LoosePatch loose;
-  loose.rim_points = rim.size();
-  for (const Index v : rim) loose.points.push_back(input.points[v]);
-  for (Triangle t : input.patch) {
-    for (Index& v : t) v = place_in(rim, v);
-    loose.triangles.push_back(t);
-  }
-  const EditableTriangles sides(loose.triangles, loose.points.size());
+bool refine_evenly(LoosePatch& patch, double coarseness) {
+  const EditableTriangles sides(patch.triangles, patch.points.size());
   std::vector<std::array<Index, 2>> boundary;
   for (Side s = 0; s < sides.count(); ++s) {
     if (sides.twin(s) == EditableTriangles::none) boundary.push_back({sides.from(s), sides.to(s)});
   }
-  loose.sizes = mean_lengths(loose.points, boundary);
-  for (double& size : loose.sizes) size *= coarseness;
+  patch.sizes = mean_lengths(patch.points, boundary);
+  for (double& size : patch.sizes) size *= coarseness;
   for (int round = 0; round < most_halvings; ++round) {
-    const std::size_t before = loose.points.size();
-    if (!bring_to_size(loose)) return std::nullopt;
-    if (loose.points.size() <= before) break;
+    const std::size_t before = patch.points.size();
+    if (!bring_to_size(patch)) return false;
+    if (patch.points.size() <= before) break;
   }
-  FairingResult refined;
-  refined.new_points.assign(loose.points.begin() + static_cast<std::ptrdiff_t>(rim.size()), loose.points.end());
-  const auto first_new = static_cast<Index>(input.points.size());
-  for (Triangle t : loose.triangles) {
-    for (Index& v : t) v = v < rim.size() ? rim[v] : first_new + (v - static_cast<Index>(rim.size()));
-    refined.patch.push_back(t);
-  }
-  return refined;
+  return true;
 }
 
 HarmonicValues::HarmonicValues(const HolePatch& patch, Index vertices_given) {
@@ -362,16 +347,16 @@ Eigen::MatrixXd HarmonicValues::continued(const Eigen::MatrixXd& known) const {
   return values;
 }
 
-bool fair_evenly(const FairingInput& input, FairingResult& patch) {
-  if (patch.new_points.empty()) return true;
-  const Neighbours edges = neighbours_in(input.surroundings, patch.patch);
-  BendingEquations equations(static_cast<Index>(input.points.size()), patch.new_points.size());
-  for (const Index v : vertices_of(patch.patch))
-    equations.add(v, edges, [&](Index known) -> const Vec3& { return input.points[known]; });
+bool fair_evenly(LoosePatch& patch) {
+  if (patch.points.size() == patch.known) return true;
+  const Neighbours edges = neighbours_in(patch.surroundings, patch.triangles);
+  BendingEquations equations(static_cast<Index>(patch.known), patch.points.size() - patch.known);
+  for (const Index v : vertices_of(patch.triangles))
+    equations.add(v, edges, [&](Index known) -> const Vec3& { return patch.points[known]; });
   const auto places = equations.solve();
   if (!places) return false;
-  for (std::size_t i = 0; i < patch.new_points.size(); ++i)
-    patch.new_points[i] = places->row(static_cast<Eigen::Index>(i)).transpose();
+  for (Eigen::Index i = 0; i < places->rows(); ++i)
+    patch.points[patch.known + static_cast<std::size_t>(i)] = places->row(i).transpose();
   return true;
 }
 

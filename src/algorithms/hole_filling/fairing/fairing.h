@@ -18,17 +18,13 @@
 /// What patches are improved with: cut, brought to size, evened out, faired and displaced.
 namespace croquis::hole_filling {
 
-/// Part of a mesh with a triangulated hole.
-struct FairingInput {
-  std::vector<Vec3> points;
-  Triangles surroundings;  ///< a ring of faces around the hole
-  Triangles patch;         ///< oriented like the surroundings
-  double density = 0;      ///< CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
-};
-
-struct FairingResult {
-  std::vector<Vec3> new_points;  ///< numbered behind the input's
-  Triangles patch;
+/// A patch by itself, while it is made: its points have numbers of their own.
+struct LoosePatch {
+  std::vector<Vec3> points;     ///< first those that stay: of the rims, and of the faces around where these count
+  std::vector<double> sizes;    ///< #points, the edge length wanted there, > 0; needed by bring_to_size and relax alone
+  Triangles triangles;          ///< #T by 3, oriented like the faces around
+  std::size_t known = 0;        ///< how many points stay
+  Triangles surroundings = {};  ///< a ring of faces around the hole
 };
 
 /// The triangles of the points' Delaunay tetrahedra, of their plane's when they lie in one, none when in a line. Of
@@ -36,25 +32,26 @@ struct FairingResult {
 /// @return corners ascending, in an order that may be another one every time
 Triangles cgal_delaunay_triangles(std::span<const Vec3> points);
 
-/// Refines the patch (Liepa 2003, section 3) and moves its new vertices where the surface bends least, with tangents
+/// Refines the patch (Liepa 2003, section 3) and moves its new points where the surface bends least, with tangents
 /// that agree at the rim (continuity 1; Botsch et al., Polygon Mesh Processing, section 4.3, cotangent weights).
-/// Nothing when the surroundings aren't manifold, the system is singular, a coordinate isn't finite, or CGAL throws.
+/// @param density CGAL's density control; larger is denser, sqrt(2) gives the rim's own density
+/// @return false when the surroundings aren't manifold, the system is singular, a coordinate isn't finite, or CGAL
+///         throws: nothing is changed
 /// @throws Cancelled between the steps
-std::optional<FairingResult> cgal_refine_and_fair(const FairingInput& input, Progress& progress);
+bool cgal_refine_and_fair(LoosePatch& patch, double density, const Progress& progress);
 
-/// Cuts the triangles of a patch without new vertices, and flips them, until their edges are `coarseness` times as long
+/// Cuts the triangles of a patch without new points, and flips them, until their edges are `coarseness` times as long
 /// as those of its rim; farther inside lengths are interpolated between those of the rim. Nothing is faired:
-/// new vertices lie in the triangles given.
-/// @param input its density is left out of account
-/// @return nothing when triangles share edges as no surface does
-std::optional<FairingResult> refine_evenly(const FairingInput& input, double coarseness);
+/// new points lie in the triangles given.
+/// @return false when triangles share edges as no surface does
+bool refine_evenly(LoosePatch& patch, double coarseness);
 
-/// Moves the new vertices of a refined patch where it bends least together with the faces around it: the least sum of
-/// squared distances from each vertex to the mean of its neighbours (the umbrella operator of Kobbelt et al. 1998),
-/// over new vertices and those of the rim. Without cotangents and areas it follows uneven triangles a little, and takes
+/// Moves the new points of a refined patch where it bends least together with the faces around it: the least sum of
+/// squared distances from each point to the mean of its neighbours (the umbrella operator of Kobbelt et al. 1998),
+/// over new points and those of the rim. Without cotangents and areas it follows uneven triangles a little, and takes
 /// a fraction of the time: a place to begin from.
 /// @return false when the system is singular: nothing is moved
-bool fair_evenly(const FairingInput& input, FairingResult& patch);
+bool fair_evenly(LoosePatch& patch);
 
 /// Moves a patch's new vertices so that the vertex nearest to each place comes to lie there and the others follow
 /// softly: the displacement bends least in the same sense, and neither moves nor tilts at the rims. Near-linear in the
@@ -82,14 +79,6 @@ class HarmonicValues {
 
   /// Rows of new vertices: the number of neighbours times the vertex, less the neighbours.
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-};
-
-/// A patch by itself, while it is being improved.
-struct LoosePatch {
-  std::vector<Vec3> points;    ///< those of the rims first
-  std::vector<double> sizes;   ///< #points, the edge length wanted there, > 0
-  Triangles triangles;         ///< #T by 3
-  std::size_t rim_points = 0;  ///< how many stay as they are
 };
 
 /// The triangles' vertices, ascending.

@@ -54,8 +54,7 @@ std::vector<Index> rim_of(const HoleSite& site, const HolePatch& patch) {
 
 /// Continues the rim's sizes inwards, ring by ring; what lies deeper than there are rounds has their mean.
 void spread_sizes(LoosePatch& loose) {
-  const double mean =
-      std::accumulate(loose.sizes.begin(), loose.sizes.end(), 0.0) / static_cast<double>(loose.rim_points);
+  const double mean = std::accumulate(loose.sizes.begin(), loose.sizes.end(), 0.0) / static_cast<double>(loose.known);
   loose.sizes.resize(loose.points.size(), mean);
   for (int round = 0; round < size_rounds; ++round) {
     std::vector<double> sums(loose.points.size(), 0), counts(loose.points.size(), 0);
@@ -65,7 +64,7 @@ void spread_sizes(LoosePatch& loose) {
       sums[c] += loose.sizes[a] + loose.sizes[b];
       for (const Index v : {a, b, c}) counts[v] += 2;
     }
-    for (std::size_t v = loose.rim_points; v < loose.points.size(); ++v) {
+    for (std::size_t v = loose.known; v < loose.points.size(); ++v) {
       if (counts[v] > 0) loose.sizes[v] = sums[v] / counts[v];
     }
   }
@@ -77,14 +76,14 @@ LoosePatch loosened(const HoleSite& site, const std::vector<Index>& rim, const H
     return v < given_count(site) ? place_in(rim, v) : v - given_count(site) + static_cast<Index>(rim.size());
   };
   LoosePatch loose;
-  loose.rim_points = rim.size();
+  loose.known = rim.size();
   for (const Index v : rim) loose.points.push_back(site.mesh->positions[v]);
   loose.points.insert(loose.points.end(), patch.points.begin(), patch.points.end());
   for (const auto& [a, b, c] : patch.triangles) loose.triangles.push_back({number(a), number(b), number(c)});
   std::vector<std::array<Index, 2>> rim_edges;
   for (Index i = 0; i < site.vertices.size(); ++i)
     rim_edges.push_back({number(site.vertices[i]), number(site.vertices[site.polygon.next(i)])});
-  loose.sizes = mean_lengths({loose.points.data(), loose.rim_points}, rim_edges);
+  loose.sizes = mean_lengths({loose.points.data(), loose.known}, rim_edges);
   spread_sizes(loose);
   return loose;
 }
@@ -106,7 +105,7 @@ void limit_count(LoosePatch& loose, std::size_t most) {
     predicted += triangle_area(loose.points[a], loose.points[b], loose.points[c]) / (std::sqrt(3.0) / 4 * size * size);
   }
   const double growth = std::sqrt(std::max(1.0, predicted / static_cast<double>(most)));
-  for (std::size_t v = loose.rim_points; v < loose.sizes.size(); ++v) loose.sizes[v] *= growth;
+  for (std::size_t v = loose.known; v < loose.sizes.size(); ++v) loose.sizes[v] *= growth;
 }
 
 /// Of the equilateral triangle of mean area.
@@ -124,10 +123,10 @@ bool is_any_wide(const HoleSite& site) {
 
 /// The new vertex nearest to each of the places, each another one; fewer when there aren't so many near enough.
 std::vector<std::size_t> nearest_free(const LoosePatch& loose, std::span<const Vec3> places) {
-  const auto free = std::span(loose.points).subspan(loose.rim_points);
+  const auto free = std::span(loose.points).subspan(loose.known);
   std::vector<std::size_t> pins;
   for (const std::size_t i : nearest_points(free, places.first(std::min(places.size(), free.size())))) {
-    const std::size_t pin = loose.rim_points + i;
+    const std::size_t pin = loose.known + i;
     if ((loose.points[pin] - places[pins.size()]).norm() > farthest_pin * loose.sizes[pin]) break;
     pins.push_back(pin);
   }
@@ -138,7 +137,7 @@ std::vector<std::size_t> nearest_free(const LoosePatch& loose, std::span<const V
 /// @return marks of what stays: they and the rims
 std::vector<std::uint8_t> pinned(LoosePatch& loose, const std::vector<Vec3>& places) {
   std::vector<std::uint8_t> fixed(loose.points.size(), 0);
-  std::fill_n(fixed.begin(), loose.rim_points, std::uint8_t{1});
+  std::fill_n(fixed.begin(), loose.known, std::uint8_t{1});
   const std::vector<std::size_t> pins = nearest_free(loose, places);
   for (std::size_t i = 0; i < pins.size(); ++i) {
     loose.points[pins[i]] = places[i];
@@ -148,7 +147,7 @@ std::vector<std::uint8_t> pinned(LoosePatch& loose, const std::vector<Vec3>& pla
 }
 
 bool has_run_away(const RimField& surface, const LoosePatch& loose, const std::vector<Vec3>& through) {
-  Box reach = box_of(std::span(loose.points).first(loose.rim_points), std::identity());
+  Box reach = box_of(std::span(loose.points).first(loose.known), std::identity());
   for (const Vec3& place : through) reach.extend(place);
   const Vec3 way = Vec3::Constant(longest_way * surface.size);
   const Box allowed(reach.min() - way, reach.max() + way);
@@ -263,7 +262,7 @@ std::optional<HolePatch> lay_onto(const HoleSite& site, const RimField& surface,
   if (pins.size() < through.size()) return std::nullopt;
   HolePatch patch = fastened(site, rim, loose);
   meet_rim(site, surface, patch);
-  for (std::size_t i = 0; i < pins.size(); ++i) patch.points[pins[i] - loose.rim_points] = through[i];
+  for (std::size_t i = 0; i < pins.size(); ++i) patch.points[pins[i] - loose.known] = through[i];
   patch.domain_points = surface.domain_points;
   return patch;
 }

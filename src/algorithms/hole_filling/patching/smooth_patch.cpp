@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "algorithms/hole_filling/analysis/sorted_lists.h"
@@ -41,9 +42,9 @@ std::optional<Triangles> base_for_fairing(const HoleSite& site, bool careful, Pr
   return std::move(found->triangles);
 }
 
-/// The site's neighbourhood as fairing takes it: about the rim's centre and of unit size.
+/// A patch with the faces around it, as fairing takes it: about the rim's centre and of unit size.
 struct LocalSite {
-  FairingInput input;
+  LoosePatch patch;
   std::vector<Index> vertices;  ///< of the view, sorted, per point
   Vec3 centre = Vec3::Zero();
   double size = 1;
@@ -65,12 +66,13 @@ LocalSite make_local_site(const HoleSite& site, const Triangles& patch) {
   for (const Index v : local.vertices) {
     const Vec3& place = site.mesh->positions[v];
     const Vec3 shown = hinge ? Vec3(place + faired_turn * (hinge->place(place) - place)) : place;
-    local.input.points.push_back((shown - local.centre) / local.size);
+    local.patch.points.push_back((shown - local.centre) / local.size);
   }
+  local.patch.known = local.vertices.size();
   const auto number = [&](Index vertex) { return local.number(vertex); };
   const auto known = [&](Index point) { return number(view.representative_of(site.vertices[point])); };
-  for (const auto& [a, b, c] : around) local.input.surroundings.push_back({number(a), number(b), number(c)});
-  for (const auto& [a, b, c] : patch) local.input.patch.push_back({known(a), known(b), known(c)});
+  for (const auto& [a, b, c] : around) local.patch.surroundings.push_back({number(a), number(b), number(c)});
+  for (const auto& [a, b, c] : patch) local.patch.triangles.push_back({known(a), known(b), known(c)});
   return local;
 }
 
@@ -86,14 +88,15 @@ double density_for(const HoleSite& site, const Triangles& patch) {
   return usual_density * std::sqrt(share);
 }
 
-HolePatch in_mesh(const HoleSite& site, const LocalSite& local, const FairingResult& faired) {
+HolePatch in_mesh(const HoleSite& site, const LocalSite& local) {
   std::vector<std::pair<Index, Index>> rim;  // number in the local site, vertex of the mesh
   for (const Index v : site.vertices) rim.emplace_back(local.number(site.analysis->view.representative_of(v)), v);
   std::ranges::sort(rim);
-  const auto known = static_cast<Index>(local.vertices.size());
+  const auto known = static_cast<Index>(local.patch.known);
   const auto first_new = static_cast<Index>(site.mesh->vertex_count());
-  HolePatch patch{site.holes, {}, faired.patch};
-  for (const Vec3& point : faired.new_points) patch.points.push_back(point * local.size + local.centre);
+  HolePatch patch{site.holes, {}, local.patch.triangles};
+  for (const Vec3& point : std::span(local.patch.points).subspan(known))
+    patch.points.push_back(point * local.size + local.centre);
   for (Triangle& t : patch.triangles) {
     for (Index& corner : t)
       corner = corner >= known ? first_new + (corner - known)
@@ -106,10 +109,8 @@ std::optional<HolePatch> refined_and_faired(const HoleSite& site, bool careful, 
   const auto triangles = base_for_fairing(site, careful, progress);
   if (!triangles) return std::nullopt;
   LocalSite local = make_local_site(site, *triangles);
-  local.input.density = density_for(site, *triangles);
-  const auto result = cgal_refine_and_fair(local.input, progress);
-  if (!result) return std::nullopt;
-  HolePatch patch = in_mesh(site, local, *result);
+  if (!cgal_refine_and_fair(local.patch, density_for(site, *triangles), progress)) return std::nullopt;
+  HolePatch patch = in_mesh(site, local);
   if (careful && !untangle(site, patch, progress)) return std::nullopt;
   return patch;
 }
@@ -145,12 +146,16 @@ std::optional<HolePatch> even_patch(const HoleSite& site, Progress& progress) {
   auto triangles = plane_triangulation(site.polygon);
   if (!triangles) triangles = base_for_fairing(site, false, progress);
   if (!triangles) return std::nullopt;
-  const LocalSite local = make_local_site(site, *triangles);
+  LocalSite local = make_local_site(site, *triangles);
   const double thinning = usual_density / density_for(site, *triangles);
-  auto refined = refine_evenly(local.input, even_coarseness * thinning);
-  if (refined && refined->new_points.empty()) refined = refine_evenly(local.input, thinning);
-  if (!refined || !fair_evenly(local.input, *refined)) return std::nullopt;
-  return in_mesh(site, local, *refined);
+  const LoosePatch start = local.patch;
+  if (!refine_evenly(local.patch, even_coarseness * thinning)) return std::nullopt;
+  if (local.patch.points.size() == start.points.size()) {
+    local.patch = start;
+    if (!refine_evenly(local.patch, thinning)) return std::nullopt;
+  }
+  if (!fair_evenly(local.patch)) return std::nullopt;
+  return in_mesh(site, local);
 }
 
 bool rises_too_far(const HoleSite& site, const HolePatch& patch, Progress& progress) {

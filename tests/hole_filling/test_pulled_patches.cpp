@@ -111,13 +111,13 @@ TEST_CASE("no bulge is the patch that there was, bit by bit") {
 TEST_CASE("a patch goes through the places asked for, whatever the fairness") {
   const PolyMesh mesh = holed_sheet();
   const Index hole = inner_hole(mesh);
-  const std::vector<std::vector<Vec3>> wishes = {{Vec3(15, 15, 2)},
-                                                 {Vec3(15, 15, -4)},
-                                                 {Vec3(13, 16, 0.5)},
-                                                 {Vec3(12, 15, 1.5), Vec3(18, 15, -1.5)},
-                                                 {Vec3(15, 15, 6)}};
+  const std::vector<std::vector<Vec3>> all_places = {{Vec3(15, 15, 2)},
+                                                     {Vec3(15, 15, -4)},
+                                                     {Vec3(13, 16, 0.5)},
+                                                     {Vec3(12, 15, 1.5), Vec3(18, 15, -1.5)},
+                                                     {Vec3(15, 15, 6)}};
   for (const Fairness fairness : {Fairness::Implicit, Fairness::Tangent, Fairness::Flat}) {
-    for (const auto& places : wishes) {
+    for (const auto& places : all_places) {
       FillOptions options;
       options.fairness = fairness;
       options.requests = {request_through(hole, places)};
