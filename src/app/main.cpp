@@ -131,7 +131,7 @@ int run(const LaunchOptions& options) {
   if (!options.replay.isEmpty()) exit_code = play_file(window, options.replay, options.stay);
   if (exit_code == 0 && !options.screenshot.isEmpty()) exit_code = save_screenshot(window, options.screenshot);
   if (!unattended) exit_code = QApplication::exec();
-  window.files().close_cleanly();
+  window.files().keeper().close_cleanly();
   return exit_code;
 }
 

@@ -217,7 +217,7 @@ Bounds bounds_of_surfaces(const Scene& scene) {
 }
 
 /// A part of a picture needs what hides its sky from outside, or its sides would be seen; a whole one doesn't.
-int border_of(const RenderOptions& options, const Viewport& viewport) {
+int border_of(const RenderOptions& options, const PixelRect& viewport) {
   return 8 + (viewport.crop && wants_occlusion(options) ? occlusion_reach(viewport.crop->picture_height).pixels : 0);
 }
 
@@ -229,7 +229,7 @@ bool has_overlay(const Scene& scene, const RenderOptions& options) {
 
 class Renderer::Implementation {
  public:
-  void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
+  void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const PixelRect& viewport);
   const Uploads& uploads() const { return uploads_; }
   std::size_t triangles_drawn() const { return triangles_drawn_; }
   std::size_t kept_samples() const { return surfaces_.kept_samples(); }
@@ -294,7 +294,7 @@ void Renderer::Implementation::copy_canvas(const glm::ivec2& origin) {
 }
 
 void Renderer::Implementation::draw(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                                    const Viewport& viewport) {
+                                    const PixelRect& viewport) {
   if (viewport.width <= 0 || viewport.height <= 0) return;
   const HostState host;
   set_plain_state();
@@ -337,12 +337,12 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport) {
+void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const PixelRect& viewport) {
   implementation_->draw(scene, camera, options, viewport);
 }
 
 void Renderer::draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
-                    const Viewport& viewport) {
+                    const PixelRect& viewport) {
   implementation_->draw(Scene{{items.begin(), items.end()}, {}, {}}, camera, options, viewport);
 }
 

@@ -53,7 +53,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
   Evaluator& evaluator;
   const Post post;
   const Callbacks callbacks;
-  bool told_busy = false;  ///< owner's thread only
+  bool reported_busy = false;  ///< owner's thread only
 
   std::mutex mutex;  ///< over all that follows; never held while anything is called
   std::condition_variable wake;
@@ -92,7 +92,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
 
   void compute(const std::shared_ptr<Job>& job) {
     try {
-      Progress whole([this, &job](double done, const std::string& name) { tell_progress(job, done, name); },
+      Progress whole([this, &job](double done, const std::string& name) { report_progress(job, done, name); },
                      &job->cancelled);
       Progress drafting = whole.step("draft", draft_share);
       Result result = evaluator.evaluate(job->document, job->node, Quality::Draft, drafting);
@@ -117,7 +117,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
     if (job->cancelled) throw Cancelled();
   }
 
-  void tell_progress(const std::shared_ptr<Job>& job, double done, const std::string& name) {
+  void report_progress(const std::shared_ptr<Job>& job, double done, const std::string& name) {
     {
       const std::lock_guard lock(mutex);
       if (job != current) return;
@@ -165,7 +165,7 @@ struct LiveEvaluation::State : std::enable_shared_from_this<LiveEvaluation::Stat
       if (closing) return;
       busy = current != nullptr;
     }
-    if (std::exchange(told_busy, busy) != busy && callbacks.busy) callbacks.busy(busy);
+    if (std::exchange(reported_busy, busy) != busy && callbacks.busy) callbacks.busy(busy);
   }
 
   void post_busy() {

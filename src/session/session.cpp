@@ -93,7 +93,7 @@ void Session::take_components(ComponentSelection components) {
   components_ = existing_components(std::move(components_), document_, true, find_mesh_);
 }
 
-void Session::tell() {
+void Session::report_change() {
   // By index: a listener may add another.
   for (std::size_t i = 0; i < listeners_.size(); ++i) {
     const auto listener = listeners_[i];
@@ -114,7 +114,7 @@ void Session::edit(std::string label, Document edited) {
   Step before = step_of_now(std::move(label));
   show(std::move(edited), ++last_state_);
   add_undo(std::move(before));
-  tell();
+  report_change();
 }
 
 void Session::edit(std::string label, Document edited, ComponentSelection components) {
@@ -124,7 +124,7 @@ void Session::edit(std::string label, Document edited, ComponentSelection compon
   show(std::move(edited), ++last_state_);
   take_components(std::move(components));
   add_undo(std::move(before));
-  tell();
+  report_change();
 }
 
 void Session::begin_drag(std::string label) {
@@ -136,7 +136,7 @@ void Session::drag(Document edited) {
   if (!drag_) throw Error(make_error(Category::Internal, "E_INTERNAL", "A drag goes on that was never begun."));
   if (edited.nodes() == document_.nodes()) return;
   show(std::move(edited), ++last_state_);
-  tell();
+  report_change();
 }
 
 void Session::end_drag() {
@@ -148,7 +148,7 @@ void Session::end_drag() {
   } else {
     add_undo(std::move(before));
   }
-  tell();
+  report_change();
 }
 
 void Session::cancel_drag() {
@@ -158,7 +158,7 @@ void Session::cancel_drag() {
   selection_ = std::move(before.selection);
   components_ = std::move(before.components);
   show(std::move(before.document), before.state);
-  tell();
+  report_change();
 }
 
 void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
@@ -172,7 +172,7 @@ void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
   now.bytes = bytes_beside(now.document, document_) + bytes_beside(now.components, components_);
   to.push_back(std::move(now));
   forget_beyond_cap();
-  tell();
+  report_change();
 }
 
 void Session::undo() {
@@ -214,7 +214,7 @@ void Session::select(Selection selection) {
   if (selection == selection_) return;
   selection_ = std::move(selection);
   ++revision_;
-  tell();
+  report_change();
 }
 
 void Session::select_components(ComponentSelection components) {
@@ -225,7 +225,7 @@ void Session::select_components(ComponentSelection components) {
     return;
   }
   ++revision_;
-  tell();
+  report_change();
 }
 
 void Session::check_components() {
@@ -233,13 +233,13 @@ void Session::check_components() {
   components_ = existing_components(std::move(components_), document_, false, find_mesh_);
   if (components_.selection == before) return;
   ++revision_;
-  tell();
+  report_change();
 }
 
 void Session::mark_saved() {
   if (!modified()) return;
   saved_state_ = state_;
-  tell();
+  report_change();
 }
 
 void Session::load(Document document, bool modified, std::vector<PastDocument> past) {
@@ -258,7 +258,7 @@ void Session::load(Document document, bool modified, std::vector<PastDocument> p
   }
   forget_beyond_cap();
   ++revision_;
-  tell();
+  report_change();
 }
 
 std::vector<PastDocument> Session::past(std::size_t most) const {

@@ -2,11 +2,13 @@
 #include "croquis/workspace/workspace.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "croquis/base/error.h"
 #include "croquis/workspace/chain.h"
+#include "croquis/workspace/computed.h"
+#include "croquis/workspace/node_values.h"
+#include "croquis/workspace/step_commands.h"
 
 namespace croquis {
 namespace {
@@ -16,76 +18,97 @@ void report(const Callback& callback, Arguments&&... arguments) {
   if (callback) callback(std::forward<Arguments>(arguments)...);
 }
 
-bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
-
-bool is_waiting(const Finding& finding) { return finding.code == "E_INPUT_FAILED"; }
-
 bool is_in(const std::vector<NodeId>& chain, NodeId node) { return std::ranges::find(chain, node) != chain.end(); }
+
+/// The node whose result is shown; 0 when nothing needs to be computed.
+NodeId evaluated_node(const Document& document, const WorkObject& object) {
+  if (!object.visible || begins_empty(document, object)) return 0;
+  const NodeId shown = object.cage != 0 && object.view == ChainView::Cage ? object.cage : object.node;
+  return document.find(shown)->source ? 0 : shown;
+}
+
+/// The newest result of an object, or none yet.
+void take_live_result(WorkObject& object, const Workspace& workspace, const LiveNode* live) {
+  const Node* node = workspace.session().document().find(object.node);
+  const OperationDescription* operation = workspace.description(node->operation);
+  // A step that was frozen is a source now, though its last result is still there.
+  if (live == nullptr || !live->result() || operation == nullptr) return;
+  object.result = live->result();
+  object.quality = live->quality();
+  object.mesh = mesh_of(*object.result, *operation);
+}
+
+/// Computed cages: what is known to be right, else the newest there is.
+void fill_cage(WorkObject& object, const Workspace& workspace) {
+  if (object.cage == 0) return;
+  const Document& document = workspace.session().document();
+  const auto exact = final_mesh(workspace, document, object.cage);
+  object.cage_mesh = exact ? exact : mesh_at(workspace, object.cage);
+  if (!exact || object.cage != object.node || document.find(object.node)->source) return;
+  object.mesh = exact;
+  object.result = workspace.evaluator().find(document, object.node);
+  object.quality = Quality::Final;
+}
 
 }  // namespace
 
 Workspace::Workspace(Registry registry, LiveEvaluation::Post post, Listener listener)
     : registry_(std::move(registry)),
       evaluator_(registry_, memory_cap),
-      post_(std::move(post)),
       listener_(std::move(listener)),
-      session_(Document(), history_cap) {
-  session_.find_meshes_with([this](const Document& document, NodeId node) { return final_mesh(document, node); });
+      session_(Document(), history_cap),
+      live_(evaluator_, std::move(post),
+            {[this] {
+               session_.check_components();
+               list_objects();
+               report(listener_.result_changed);
+             },
+             listener_.progress, listener_.busy_changed}) {
+  session_.find_meshes_with(
+      [this](const Document& document, NodeId node) { return final_mesh(*this, document, node); });
   session_.on_change([this] { follow_session(); });
 }
 
-Workspace::~Workspace() = default;
-
-namespace {
-
-bool goes_on_from(const OperationDescription& operation, ValueType type) {
-  const PortDescription* port = main_input(operation);
-  return port != nullptr && port->type == type;
+void Workspace::load(Document document, bool modified, KeptWork kept) {
+  live_.clear();
+  views_.clear();
+  isolated_.clear();
+  measured_.clear();
+  active_ = 0;
+  evaluator_.forget();
+  edited_inputs_.clear();
+  for (const auto& [id, of] : kept.results) {
+    const Node* node = document.find(id);
+    if (node == nullptr || node->source) continue;
+    if (of.result.has_content()) evaluator_.keep_last_good(id, {{main_link(*node, registry_).output, of.result}});
+    if (auto mesh = of.edited.as<PolyMesh>()) edited_inputs_[id] = std::move(mesh);
+  }
+  objects_.clear();
+  report(listener_.loaded);
+  session_.load(std::move(document), modified, std::move(kept.past));
+  report(listener_.result_changed);
+  report(listener_.busy_changed, busy());
 }
 
-}  // namespace
-
-const OperationDescription* Workspace::first_operation_on(ValueType type) const {
-  const auto& all = registry_.descriptions();
-  const auto found = std::ranges::find_if(all, [&](const auto& operation) { return goes_on_from(operation, type); });
-  return found == all.end() ? nullptr : &*found;
-}
-
-std::vector<const OperationDescription*> Workspace::operations_on(NodeId id) const {
-  std::vector<const OperationDescription*> fitting;
+void Workspace::set_parameter(NodeId id, const std::string& name, const ParameterValue& value, bool dragging,
+                              const std::string& label) {
   const Node* node = session_.document().find(id);
-  if (node == nullptr) return fitting;
-  for (const OperationDescription& operation : registry_.descriptions()) {
-    const PortDescription *taken = main_input(operation), *given = main_output(operation);
-    const bool goes_on = taken != nullptr && link_to(*node, registry_, taken->type).has_value();
-    if (goes_on && given != nullptr && given->type == ValueType::Mesh) fitting.push_back(&operation);
+  const OperationDescription* operation = node == nullptr ? nullptr : description(node->operation);
+  if (operation == nullptr) return;
+  const ParameterDescription* parameter = find_parameter(operation->parameters, name);
+  std::string step = label.empty() ? name : label;
+  if (label.empty() && parameter != nullptr)
+    step = dragging ? croquis::title_of(*parameter) : title_with(*parameter, value);
+  Document document = session_.document().with(with_values(*node, *operation, {{name, value}}));
+  if (dragging && !dragging_parameter_) session_.begin_drag(step);
+  const bool in_drag = dragging || dragging_parameter_;
+  dragging_parameter_ = dragging;
+  if (!in_drag) {
+    session_.edit(std::move(step), std::move(document));
+    return;
   }
-  return fitting;
-}
-
-// ---- Objects
-
-Value Workspace::value_along(const WorkObject& object, ValueType type) const {
-  Affine3 later = object.placement.map();
-  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
-    const Node* node = session_.document().find(*id);
-    if (node == nullptr) return {};
-    if (node->source) {
-      return node->source->type() == type ? node->source->transformed(composed(later, node->transform)) : Value();
-    }
-    const auto found = result(*id);
-    if (found != nullptr && !found->failed && found->quality == Quality::Final) {
-      for (const auto& [port, value] : found->outputs) {
-        if (value.type() == type && value.has_content()) return value.transformed(later);
-      }
-    }
-    later = composed(later, node->transform);
-  }
-  return {};
-}
-
-bool Workspace::has_cage() const {
-  return std::ranges::any_of(objects_, [](const WorkObject& object) { return object.cage != 0; });
+  session_.drag(std::move(document));
+  if (!dragging) session_.end_drag();
 }
 
 const WorkObject* Workspace::object(NodeId node) const {
@@ -108,34 +131,20 @@ const WorkObject* Workspace::active() const {
   return objects_.empty() ? nullptr : &objects_.front();
 }
 
-void Workspace::set_active(NodeId node) { active_ = node; }
+BoundingBox Workspace::own_bounds(const WorkObject& object) const {
+  const auto& mesh = object.shown();
+  if (!mesh) return std::nullopt;
+  Measured& measured = measured_[object.node];
+  if (measured.mesh.lock() != mesh) measured = {mesh, bounds_of(*mesh)};
+  return measured.box;
+}
 
-NodeId Workspace::chosen_step(const WorkObject& object) const {
-  for (const SelectedItem& item : session_.selection()) {
-    const Node* node = session_.document().find(item.node);
-    if (item.part.empty() && is_in(object.chain, item.node) && !node->source) return item.node;
+void Workspace::isolate(const std::vector<NodeId>& objects) {
+  isolated_.clear();
+  for (const NodeId node : objects) {
+    if (const WorkObject* each = object(node)) isolated_.insert(each->chain.front());
   }
-  return 0;
-}
-
-NodeId Workspace::active_step() const {
-  const WorkObject* object = active();
-  if (object == nullptr) return 0;
-  const NodeId chosen = chosen_step(*object);
-  return chosen == 0 ? object->node : chosen;
-}
-
-const Node* Workspace::active_operation() const {
-  const Node* node = session_.document().find(active_step());
-  return node == nullptr || node->source ? nullptr : node;
-}
-
-const Node* Workspace::step_with(const WorkObject& object, const std::string& operation) const {
-  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
-    const Node* node = session_.document().find(*id);
-    if (node != nullptr && node->operation == operation) return node;
-  }
-  return nullptr;
+  list_again();
 }
 
 void Workspace::set_view(NodeId id, ChainView view) {
@@ -156,32 +165,13 @@ void Workspace::list_again() {
 }
 
 std::shared_ptr<const Evaluation> Workspace::result(NodeId node) const {
-  const auto found = live_.find(node);
-  const auto newest = found == live_.end() ? nullptr : found->second->result();
-  const bool is_followed = std::ranges::any_of(objects_, [&](const auto& o) { return evaluated_node(o) == node; });
-  if (newest && is_followed) return newest;
+  const LiveNode* live = live_.find(node);
+  const auto newest = live == nullptr ? nullptr : live->result();
+  const auto is_followed = [&](const WorkObject& each) { return evaluated_node(session_.document(), each) == node; };
+  if (newest && std::ranges::any_of(objects_, is_followed)) return newest;
   // What became a step within a chain, or is hidden, was left with the result that it had then.
   const auto kept = evaluator_.find(session_.document(), node);
   return kept ? kept : newest;
-}
-
-std::shared_ptr<const PolyMesh> Workspace::mesh_at(NodeId id) const {
-  const Node* node = session_.document().find(id);
-  if (node == nullptr) return nullptr;
-  if (node->source) return mesh_in(*node);
-  const OperationDescription* operation = description(node->operation);
-  const auto evaluation = operation == nullptr ? nullptr : result(id);
-  return evaluation ? mesh_of(*evaluation, *operation) : nullptr;
-}
-
-std::shared_ptr<const PolyMesh> Workspace::final_mesh(const Document& document, NodeId id) const {
-  const Node* node = document.find(id);
-  if (node == nullptr) return nullptr;
-  if (node->source) return mesh_in(*node);
-  const OperationDescription* operation = description(node->operation);
-  const auto kept = operation == nullptr ? nullptr : evaluator_.find(document, id);
-  const bool is_final = kept && !kept->failed && kept->quality == Quality::Final;
-  return is_final ? mesh_of(*kept, *operation) : nullptr;
 }
 
 std::shared_ptr<const PolyMesh> Workspace::compute_mesh(const Document& document, NodeId id) {
@@ -192,75 +182,9 @@ std::shared_ptr<const PolyMesh> Workspace::compute_mesh(const Document& document
   return operation == nullptr ? mesh_in(*document.find(id)) : mesh_of(*evaluation, *operation);
 }
 
-std::vector<NodeFinding> Workspace::findings() const {
-  std::vector<NodeFinding> findings;
-  for (const WorkObject& object : objects_) {
-    if (!object.result) continue;
-    const Findings& of_object = object.result->findings;
-    // Who waits is seen in the list of steps.
-    const bool told = std::ranges::any_of(of_object, [](const Finding& f) { return is_error(f) && !is_waiting(f); });
-    for (const Finding& finding : of_object) {
-      if (told && is_waiting(finding)) continue;
-      findings.push_back({is_error(finding) ? failing_step(object.node) : object.node, finding});
-    }
-  }
-  std::stable_partition(findings.begin(), findings.end(), [](const NodeFinding& f) { return is_error(f.finding); });
-  return findings;
-}
-
-/// The step that has to be mended before this one can be computed: maybe itself.
-NodeId Workspace::failing_step(NodeId step) const {
-  const auto kept = evaluator_.find(session_.document(), step);
-  if (!kept) return step;
-  const auto waiting = std::ranges::find_if(kept->findings, is_waiting);
-  return waiting == kept->findings.end() ? step : failing_step(std::stoull(waiting->subjects.front().id));
-}
-
-bool Workspace::busy() const {
-  return std::ranges::any_of(live_, [](const auto& entry) { return entry.second->busy(); });
-}
-
-// ---- Evaluation
-
-bool Workspace::begins_empty(const WorkObject& object) const {
-  const Node* first = session_.document().find(object.chain.front());
-  const auto sketch = source_of<Drawing>(first);
-  const auto sheet = source_of<PerspectiveDrawing>(first);
-  const auto network = source_of<AttributeNetwork>(first);
-  return (sketch && sketch->strokes.empty()) || (sheet && sheet->strokes.empty()) ||
-         (network && network->faces.empty());
-}
-
-/// The node whose result is shown; 0 when nothing needs to be computed.
-NodeId Workspace::evaluated_node(const WorkObject& object) const {
-  if (!object.visible || begins_empty(object)) return 0;
-  const NodeId shown = object.cage != 0 && object.view == ChainView::Cage ? object.cage : object.node;
-  return session_.document().find(shown)->source ? 0 : shown;
-}
-
-LiveNode& Workspace::live_node(NodeId node) {
-  std::unique_ptr<LiveNode>& live = live_[node];
-  if (live) return *live;
-  LiveNode::Host host;
-  host.post = post_;
-  host.changed = [this] { take_results(); };
-  host.progress = [this](double fraction, const std::string& step) {
-    if (!held_) report(listener_.progress, fraction, step);
-  };
-  host.busy_changed = [this] {
-    if (!held_) report(listener_.busy_changed, busy());
-  };
-  live = std::make_unique<LiveNode>(evaluator_, node, std::move(host));
-  return *live;
-}
-
-std::unique_ptr<LiveNode> Workspace::live_beside(NodeId id, std::function<void()> changed) {
-  LiveNode::Host host;
-  host.post = post_;
-  host.changed = std::move(changed);
-  host.progress = [](double, const std::string&) {};
-  host.busy_changed = [] {};
-  return std::make_unique<LiveNode>(evaluator_, id, std::move(host));
+std::shared_ptr<const PolyMesh> Workspace::edited_input(NodeId step) const {
+  const auto noted = edited_inputs_.find(step);
+  return noted == edited_inputs_.end() ? nullptr : noted->second;
 }
 
 void Workspace::list_objects() {
@@ -270,76 +194,31 @@ void Workspace::list_objects() {
     if (const auto view = views_.find(object.node); view != views_.end()) object.view = view->second;
     if (!isolated_.empty() && !isolated_.contains(object.chain.front())) object.visible = false;
   }
-  choose_cages();
-  std::vector<NodeId> evaluated;
-  for (const auto& [node, live] : live_) evaluated.push_back(node);
-  follow_nodes(document);
-  take_live_results();
-  fill_cages();
-  note_edited_inputs();
-  const bool lost = std::ranges::any_of(evaluated, [&](NodeId node) { return !live_.contains(node); });
-  if (lost) report(listener_.result_changed);
-}
-
-/// Of the active object: by the step that is chosen.
-void Workspace::choose_cages() {
+  // The active object's cage depends on the step that is chosen.
   const WorkObject* current = active();
+  std::set<NodeId> evaluated, empty;
   for (WorkObject& object : objects_) {
-    if (&object != current) continue;
-    object.editable = editable_node(session_.document(), registry_, object.chain, chosen_step(object));
-    if (object.cage != 0 || edits_elements_) object.cage = object.editable;
+    if (&object == current) {
+      object.editable = editable_node(document, registry_, object.chain, chosen_step(session_, object));
+      if (object.cage != 0 || edits_elements_) object.cage = object.editable;
+    }
+    if (begins_empty(document, object)) empty.insert(object.node);
+    if (const NodeId node = evaluated_node(document, object); node != 0) evaluated.insert(node);
   }
-}
-
-/// Computed cages: what is known to be right, else the newest there is.
-void Workspace::fill_cages() {
-  for (WorkObject& object : objects_) {
-    if (object.cage == 0) continue;
-    const auto exact = final_mesh(session_.document(), object.cage);
-    object.cage_mesh = exact ? exact : mesh_at(object.cage);
-    if (!exact || object.cage != object.node || session_.document().find(object.node)->source) continue;
-    object.mesh = exact;
-    object.result = evaluator_.find(session_.document(), object.node);
-    object.quality = Quality::Final;
-  }
+  // What is hidden is shown again at once; what lost its drawing can't be shown.
+  const bool lost = live_.follow(document, evaluated, empty);
+  for (WorkObject& object : objects_) take_live_result(object, *this, live_.find(object.node));
+  for (WorkObject& object : objects_) fill_cage(object, *this);
+  note_edited_inputs();
+  if (lost) report(listener_.result_changed);
 }
 
 void Workspace::note_edited_inputs() {
   const Document& document = session_.document();
   for (const auto& node : document.nodes()) {
-    if (!edits_input(*node, registry_) || !final_mesh(document, node->id)) continue;
+    if (!edits_input(*node, registry_) || !final_mesh(*this, document, node->id)) continue;
     const Node* before = step_before(document, registry_, *node);
-    if (before != nullptr) edited_inputs_[node->id] = final_mesh(document, before->id);
-  }
-}
-
-void Workspace::follow_nodes(const Document& document) {
-  std::set<NodeId> wanted;
-  std::set<NodeId> empty;
-  for (const WorkObject& object : objects_) {
-    if (begins_empty(object)) empty.insert(object.node);
-    const NodeId evaluated = evaluated_node(object);
-    if (evaluated == 0) continue;
-    wanted.insert(evaluated);
-    live_node(evaluated).follow(document);
-  }
-  std::erase_if(live_, [&](auto& entry) {
-    if (wanted.contains(entry.first)) return false;
-    entry.second->pause();
-    // What is hidden is shown again at once; what lost its drawing can't be shown.
-    return document.find(entry.first) == nullptr || empty.contains(entry.first);
-  });
-}
-
-void Workspace::take_live_results() {
-  for (WorkObject& object : objects_) {
-    const auto live = live_.find(object.node);
-    const OperationDescription* operation = description(session_.document().find(object.node)->operation);
-    // A step that was frozen is a source now, though its last result is still there.
-    if (live == live_.end() || !live->second->result() || operation == nullptr) continue;
-    object.result = live->second->result();
-    object.quality = live->second->quality();
-    object.mesh = mesh_of(*object.result, *operation);
+    if (before != nullptr) edited_inputs_[node->id] = final_mesh(*this, document, before->id);
   }
 }
 
@@ -348,26 +227,6 @@ void Workspace::follow_session() {
   list_objects();
   if (const WorkObject* chosen = active()) active_ = chosen->node;
   report(listener_.changed);
-}
-
-void Workspace::take_results() {
-  results_wait_ = held_;
-  if (held_) return;
-  session_.check_components();
-  list_objects();
-  report(listener_.result_changed);
-}
-
-void Workspace::hold_results(bool held) {
-  if (held == held_) return;
-  held_ = held;
-  if (held) return;
-  if (std::exchange(results_wait_, false)) take_results();
-  report(listener_.busy_changed, busy());
-}
-
-void Workspace::cancel() {
-  for (const auto& [id, live] : live_) live->cancel();
 }
 
 }  // namespace croquis

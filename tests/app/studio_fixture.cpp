@@ -35,7 +35,7 @@ StudioFixture::StudioFixture()
 }
 
 void StudioFixture::crash_and_restart() {
-  window_->files().autosave_now();
+  window_->files().keeper().save_now();
   window_.reset();  // its work is nobody's before the next one looks for it
   window_ = std::make_unique<app::MainWindow>(folder_.path() + "/state");
   window_->show();

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/studio/content.h"
 #include "app/tools/holes/hole_filling_tool.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/tools/silhouette/silhouette_tool.h"

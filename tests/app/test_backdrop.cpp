@@ -190,7 +190,7 @@ TEST_CASE("a picture is saved in the project and is there again after a crash", 
   QFile::remove(photo);
   hand.act("fit-picture");
   hand.act("show-picture");
-  hand.window().files().autosave_now();
+  hand.window().files().keeper().save_now();
   hand.crash_and_restart();
   const auto offers = hand.window().files().recoverable();
   REQUIRE(offers.size() == 1);

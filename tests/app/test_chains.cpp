@@ -55,7 +55,7 @@ void bend_first_stroke(StudioFixture& hand) {
 
 void add_subdivision(StudioFixture& hand) {
   hand.act("add-step-subdivide");
-  hand.studio().set_parameter(hand.studio().active_step(), "levels", std::int64_t{1}, false);
+  hand.studio().set_parameter(active_step(hand.studio()), "levels", std::int64_t{1}, false);
   hand.settle();
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a chain from a sketch stays live, and its steps are switched, moved a
   draw_ball(hand);
   const std::size_t coarse = hand.studio().objects().front().mesh->face_count();
   add_subdivision(hand);
-  const NodeId smooth = hand.studio().active_step();
+  const NodeId smooth = active_step(hand.studio());
   REQUIRE(hand.studio().objects().size() == 1);
   CHECK(hand.studio().objects().front().mesh->face_count() > 3 * coarse);
   hand.act("add-step-fill");

@@ -98,7 +98,7 @@ TEST_CASE("what was found in a drawing's file is told of strokes as they were re
   hand.settle();
   REQUIRE(find_stroke(sheet_in(hand).drawing(), names[0])->group == StrokeGroup::ParallelY);
   CHECK(listed(hand, "GROUP_COLOUR") == Names(names.begin() + 1, names.end()));
-  sheet_in(hand).tool().remove({names[3]});
+  sheet_in(hand).tool().take(recorded::SheetDelete{{names[3]}});
   CHECK(listed(hand, "GROUP_COLOUR") == Names{names[1], names[2]});
   hand.act("undo");
   hand.act("undo");
@@ -118,7 +118,7 @@ TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size
   CHECK(sheet_in(hand).drawing().image_size == Vec2(800, 600));
   CHECK(*sheet_in(hand).drawing().field_of_view == Approx(2 * std::atan(0.5)));
   CHECK((*sheet_in(hand).drawing().principal_point - Vec2(420, 280)).norm() < 1e-6);
-  sheet_in(hand).tool().set_sheet({1600, 1200});
+  sheet_in(hand).tool().take(recorded::SheetSize{{1600, 1200}});
   REQUIRE(hand.window().open(path));
   CHECK((*sheet_in(hand).drawing().principal_point - Vec2(840, 560)).norm() < 1e-6);
   CHECK_FALSE(hand.window().open(written(hand, "broken.json", "{\"a\": 1}")));
@@ -126,7 +126,7 @@ TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size
 
 TEST_CASE("the sheet takes other sizes and shapes, and strokes keep their places", "[drawing-files]") {
   StudioFixture hand;
-  hand.studio().start_with(drawn(box(), three_point_views()[1]).drawing);
+  app::start_with(hand.studio(), drawn(box(), three_point_views()[1]).drawing);
   hand.window().show_views();
   hand.settle();
   const Vec2 place = sheet_in(hand).drawing().strokes[0].start();
@@ -148,7 +148,7 @@ TEST_CASE("the sheet takes other sizes and shapes, and strokes keep their places
 
 TEST_CASE("the camera of an object is a view of the scene, with any tool and beside other objects", "[drawing-files]") {
   StudioFixture hand;
-  hand.studio().start_with(drawn(bottle(), off_centre_view()).drawing);
+  app::start_with(hand.studio(), drawn(bottle(), off_centre_view()).drawing);
   hand.window().show_views();
   hand.settle();
   QAction* camera = hand.window().action("camera-1");

@@ -270,7 +270,7 @@ TEST_CASE("a project that is open in another window is told, and saving over it 
   CHECK(other->findChild<QLabel*>("message")->text().contains("rings.croq"));
   const QByteArray before = bytes_of(project);
   in_dialog<QMessageBox>([](QMessageBox& question) { question.button(QMessageBox::Cancel)->click(); });
-  other->studio().start_empty();
+  other->studio().load(Document());
   other->action("save")->trigger();
   CHECK(bytes_of(project) == before);
   in_dialog<QMessageBox>([](QMessageBox& question) { question.button(QMessageBox::Save)->click(); });

@@ -300,7 +300,7 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   const QString project = hand.folder() + "/scan.croq";
   hand.window().files().save(project);
   const QString file = hand.folder() + "/filled.ply";
-  hand.window().files().export_solid(file);
+  app::export_solid(hand.studio(), file);
   Progress progress;
   const PolyMesh back = read_mesh(read_file(file.toStdString()), MeshFormat::Ply, "filled.ply", progress).mesh;
   CHECK(rims_of(back) == 1);

@@ -92,7 +92,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   check_solid_in_view(hand);
 
   const QString solid = hand.folder() + "/snake.stl";
-  hand.window().files().export_solid(solid);
+  app::export_solid(hand.studio(), solid);
   CHECK(passes_check(solid));
   const QString picture = hand.folder() + "/snake.png";
   hand.window().export_picture(picture);
@@ -107,7 +107,7 @@ TEST_CASE("linked rings drawn with a pen become two solids that hold each other"
   check_solid_in_view(hand);
   CHECK(part_rows(hand).size() == 2);
   const QString file = hand.folder() + "/rings.obj";
-  hand.window().files().export_solid(file);
+  app::export_solid(hand.studio(), file);
   CHECK(passes_check(file));
 }
 

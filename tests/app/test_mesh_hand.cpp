@@ -282,7 +282,7 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   REQUIRE(offer != nullptr);
   CHECK(!offer->isVisible());
   const auto size_of_cube = [&] {
-    const std::array<Vec3, 2> box = *hand.studio().bounds(*hand.studio().active());
+    const std::array<Vec3, 2> box = *placed_bounds(hand.studio(), *hand.studio().active());
     return (box[1] - box[0]).norm();
   };
   open_mesh(hand, centred_cube(), "cube");
@@ -295,7 +295,7 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   CHECK(!offer->isVisible());
   CHECK(size_of_cube() > 400);
   CHECK(hand.studio().session().undo_labels().back() == "Scale cube to the scene");
-  const auto bounds = hand.studio().bounds(*hand.studio().active());
+  const auto bounds = placed_bounds(hand.studio(), *hand.studio().active());
   REQUIRE(bounds);
   for (const int view : {Viewport::SketchView, Viewport::PerspectiveView}) {
     for (const Vec3& corner : *bounds) {

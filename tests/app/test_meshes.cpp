@@ -236,7 +236,7 @@ TEST_CASE("an exported cage keeps its tags", "[mesh-views]") {
   const MeshTags tags = hand.studio().active()->cage_mesh->tags;
   REQUIRE(tags.pins.size() == 4);
   const QString file = hand.folder() + "/square.obj";
-  CHECK(hand.window().files().export_solid(file).empty());
+  CHECK(app::export_solid(hand.studio(), file).empty());
   Progress progress;
   const PolyMesh back = read_mesh(read_file(file.toStdString()), MeshFormat::Obj, "square.obj", progress).mesh;
   CHECK(back.tags.creases.size() == tags.creases.size());
@@ -251,7 +251,7 @@ TEST_CASE("a cage that can't be refined is told in words that lead to its elemen
   REQUIRE(hand.window().open(file));
   hand.act("show-smooth");
   hand.settle();
-  const auto findings = hand.studio().findings();
+  const auto findings = findings_of(hand.studio());
   REQUIRE(!findings.empty());
   CHECK(hand.studio().active()->shown() == hand.studio().active()->cage_mesh);  // it is still seen
   CHECK(!hand.viewport().objects().surfaces().empty());

@@ -27,7 +27,7 @@ void type(StudioFixture& hand, const char* box, double value) {
 
 std::array<Vec3, 2> box_of(StudioFixture& hand, const char* name) {
   for (const WorkObject& object : hand.studio().objects()) {
-    if (object.name == name) return *hand.studio().bounds(object);
+    if (object.name == name) return *placed_bounds(hand.studio(), object);
   }
   FAIL("there is no object " << name);
   return {};
@@ -84,12 +84,12 @@ TEST_CASE("objects: two stand side by side, sized by numbers, in one file in mil
   CHECK(same_box(box_of(hand, "brick"), {29.5, 0, -1}, {31.5, 20, 1}));
   hand.act("export-unit-cm");  // a document without units counts as in millimetres
   const QString file = hand.folder() + "/both.obj";
-  hand.window().files().export_solid(file, {app::MeshExport::Objects::All, "cm"});
+  app::export_solid(hand.studio(), file, {app::MeshExport::Objects::All, "cm"});
   Progress progress;
   const PolyMesh centimetres = read_mesh(read_file(file.toStdString()), MeshFormat::Obj, "both.obj", progress).mesh;
   CHECK(same_box(*bounds_of(centimetres), {-2, 0, -0.5}, {3.15, 2, 0.5}));
   CHECK(centimetres.channel("object", Domain::Face)->labels == std::vector<std::string>{"cube", "brick"});
-  hand.window().files().export_solid(file, {app::MeshExport::Objects::All, "mm"});
+  app::export_solid(hand.studio(), file, {app::MeshExport::Objects::All, "mm"});
   const PolyMesh millimetres = read_mesh(read_file(file.toStdString()), MeshFormat::Obj, "both.obj", progress).mesh;
   CHECK(same_box(*bounds_of(millimetres), {-20, 0, -5}, {31.5, 20, 5}));
 
@@ -116,11 +116,11 @@ TEST_CASE("objects: W shows a manipulator for meshes and for solids of sketches;
   hand.window().select_nodes({solid});
   REQUIRE(hand.window().action("move")->isEnabled());
   hand.act("move");
-  const auto before = *hand.studio().bounds(*hand.studio().object(solid));
+  const auto before = *placed_bounds(hand.studio(), *hand.studio().object(solid));
   const QImage plain = hand.picture();
   QTest::qWait(250);  // later than any mouse copy of the pen's events
   pull_arrow_of(hand, (before[0] + before[1]) / 2, 0, 80);
-  const auto after = *hand.studio().bounds(*hand.studio().object(solid));
+  const auto after = *placed_bounds(hand.studio(), *hand.studio().object(solid));
   CHECK(after[0].x() > before[0].x() + 1);
   CHECK((after[0] - before[0]).tail<2>().norm() < 1e-9);
   CHECK(hand.studio().solid() == mesh);  // nothing was computed again
@@ -137,7 +137,7 @@ TEST_CASE("objects: W shows a manipulator for meshes and for solids of sketches;
 TEST_CASE("objects: elements of a placed mesh are picked and moved where they are seen", "[objects]") {
   StudioFixture hand;
   open_mesh(hand, centred_cube(), "cube");
-  hand.studio().place_objects({{node_of(hand, "cube"), {{7, 0, 0}, {0, 0, 90}, {2, 1, 1}}}});
+  place_objects(hand.studio(), {{node_of(hand, "cube"), {{7, 0, 0}, {0, 0, 90}, {2, 1, 1}}}});
   hand.settle();
   hand.act("frame-all");
   hand.act("face-mode");
@@ -157,11 +157,11 @@ TEST_CASE("objects: copies step aside; clicks, Shift and Ctrl pick several; a gr
   open_two(hand);
   hand.act("frame-all");
   hand.click_model({0, 0, 1}, app::Viewport::PerspectiveView);
-  CHECK(hand.studio().picked() == std::vector<NodeId>{node_of(hand, "cube")});
+  CHECK(picked(hand.studio()) == std::vector<NodeId>{node_of(hand, "cube")});
   hand.click_model({6, 0, 1}, app::Viewport::PerspectiveView, 1, Qt::ShiftModifier);
-  CHECK(hand.studio().picked().size() == 2);
+  CHECK(picked(hand.studio()).size() == 2);
   hand.click_model({0, 0, 1}, app::Viewport::PerspectiveView, 1, Qt::ControlModifier);
-  CHECK(hand.studio().picked() == std::vector<NodeId>{node_of(hand, "brick")});
+  CHECK(picked(hand.studio()) == std::vector<NodeId>{node_of(hand, "brick")});
   hand.act("duplicate-object");
   hand.settle();
   CHECK(same_box(box_of(hand, "brick 2"), {7.2, -1, -1}, {9.2, 1, 1}));
@@ -173,7 +173,7 @@ TEST_CASE("objects: copies step aside; clicks, Shift and Ctrl pick several; a gr
   CHECK(list->topLevelItem(1)->childCount() == 2);
   hand.window().select_nodes({});
   hand.click_model({6, 0, 1}, app::Viewport::PerspectiveView);
-  CHECK(hand.studio().picked().size() == 2);
+  CHECK(picked(hand.studio()).size() == 2);
   list->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
   QApplication::processEvents();
   CHECK_FALSE(hand.studio().object(node_of(hand, "brick 2"))->visible);

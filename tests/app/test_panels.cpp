@@ -32,7 +32,8 @@ TEST_CASE("the panel has a field for every parameter that people set there, name
   StudioFixture hand;
   hand.draw(test::snake_sketch());
   auto* panel = hand.window().findChild<app::AttributePanel*>("attributes");
-  for (const ParameterDescription& parameter : hand.studio().solid_description()->parameters) {
+  for (const ParameterDescription& parameter :
+       hand.studio().description(hand.studio().solid_operation()->operation)->parameters) {
     INFO(parameter.name);
     app::ParameterField* field = panel->field(parameter.name);
     REQUIRE((field == nullptr) == (parameter.place == ParameterPlace::Nowhere));

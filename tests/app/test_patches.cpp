@@ -231,7 +231,7 @@ TEST_CASE("a cancelled making anew changes nothing, and the window works on", "[
   hand.act("fill-selected");
   hand.settle();
   CHECK(count(hand, HoleState::Filled) == 2);
-  hand.window().files().export_solid(hand.folder() + "/filled.ply");
+  app::export_solid(hand.studio(), hand.folder() + "/filled.ply");
 }
 
 TEST_CASE("move and rotate leave the holes as they are, and holes come back with their selection", "[patch-views]") {

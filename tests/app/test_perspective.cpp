@@ -100,7 +100,7 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
     const PerspectiveSolid solid = bottle();
     const SolidDrawing truth = drawn(solid, view);
     StudioFixture hand;
-    hand.studio().start_with(truth.drawing);
+    app::start_with(hand.studio(), truth.drawing);
     hand.window().show_views();
     hand.settle();
     REQUIRE(sheet_of(hand).result() != nullptr);
@@ -129,7 +129,7 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
 
 TEST_CASE("the solid of a drawing is exported as STEP, or the window says what to install", "[perspective]") {
   StudioFixture hand;
-  hand.studio().start_with(drawn(soap(), three_point_views()[0]).drawing);
+  app::start_with(hand.studio(), drawn(soap(), three_point_views()[0]).drawing);
   hand.window().show_views();
   hand.settle();
   QAction* action = hand.window().action("export-step");
@@ -191,7 +191,7 @@ TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fix
     if (nearer > (low + high) / 2) remove_strokes(truth.drawing, {curve.id});
   }
   StudioFixture hand;
-  hand.studio().start_with(truth.drawing);
+  app::start_with(hand.studio(), truth.drawing);
   hand.window().show_views();
   hand.settle();
   REQUIRE(sheet_of(hand).result() != nullptr);
@@ -210,7 +210,7 @@ TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fix
   }
   StrokeSetting wrong;
   wrong.group = StrokeGroup::ParallelX;
-  sheet_of(hand).tool().set({edge}, wrong);
+  sheet_of(hand).tool().take(recorded::SheetSetting{{edge}, wrong});
   hand.settle();
   REQUIRE(!sheet_of(hand).result()->fixes.empty());
   hand.picture();

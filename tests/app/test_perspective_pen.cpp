@@ -23,7 +23,7 @@ namespace croquis::test {
 namespace {
 
 app::SheetInteraction& open_sheet(StudioFixture& hand, const PerspectiveDrawing& drawing) {
-  hand.studio().start_with(drawing);
+  app::start_with(hand.studio(), drawing);
   hand.window().show_views();
   hand.settle();
   hand.picture();
@@ -66,7 +66,7 @@ TEST_CASE("an empty sheet says what to draw, in full, and computes nothing", "[p
     CHECK(hint->height() >= hint->heightForWidth(hint->width()));
   }
   REQUIRE(hand.studio().active() != nullptr);
-  for (const ChainStep& step : hand.studio().steps_of(*hand.studio().active())) {
+  for (const ChainStep& step : steps_of(hand.studio(), *hand.studio().active())) {
     CHECK(step.state == (step.title.empty() ? StepState::Source : StepState::Waiting));
   }
 }
@@ -140,7 +140,7 @@ TEST_CASE("coordinates and lengths are typed at the pen, with units", "[perspect
   hand.viewport().setFocus();
   auto* entry = hand.viewport().findChild<QLineEdit*>("perspective-entry");
   REQUIRE(entry != nullptr);
-  sheet.tool().set_unit("mm");
+  sheet.tool().take(recorded::SheetUnit{"mm"});
   const std::string edge = std::ranges::find(sheet.drawing().strokes, StrokeRole::Edge, &PerspectiveStroke::role)->id;
   const PerspectiveStroke stroke = *find_stroke(sheet.drawing(), edge);
 
@@ -281,16 +281,18 @@ TEST_CASE("undo after each reconstruction restores the drawing byte for byte", "
   PerspectiveTool& tool = sheet.tool();
   const std::vector<std::function<void()>> edits = {
       [&] {
-        tool.drag(sheet.drawing().strokes[8].id, 0, {7.25, -3.5});
+        tool.take(recorded::SheetDrag{sheet.drawing().strokes[8].id, 0, {7.25, -3.5}});
       },
-      [&] { tool.remove({sheet.drawing().strokes[10].id}); },
+      [&] { tool.take(recorded::SheetDelete{{sheet.drawing().strokes[10].id}}); },
       [&] {
-        tool.aim(0, {4000, 200});
+        tool.take(recorded::SheetAim{0, {4000, 200}});
       },
-      [&] { tool.set_known_length(sheet.drawing().strokes[12].id, 40.0); },
-      [&] { tool.set_unit("cm"); },
       [&] {
-        tool.draw({{300, 300}, {350, 320}, {420, 350}}, 1, std::nullopt, StrokeRole::Edge);
+        tool.take(recorded::SheetLength{sheet.drawing().strokes[12].id, 40.0});
+      },
+      [&] { tool.take(recorded::SheetUnit{"cm"}); },
+      [&] {
+        tool.take(recorded::SheetStroke{{{300, 300}, {350, 320}, {420, 350}}, {}, StrokeRole::Edge, false, 1, {}});
       },
   };
   for (const auto& edit : edits) {

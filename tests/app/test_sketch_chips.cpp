@@ -375,7 +375,7 @@ TEST_CASE("the parts of a sketch that is opened hold together as they look", "[s
     for (const Vec2& place : round_line({radius / 2, 0}, radius, 0.99)) stroke.samples.push_back({place});
     drawing.strokes.push_back(std::move(stroke));
   }
-  hand.studio().start_with(drawing);
+  app::start_with(hand.studio(), drawing);
   hand.settle();
   const InflateResult* inflated = hand.studio().result()->result<InflateResult>();
   REQUIRE(inflated != nullptr);

@@ -170,7 +170,7 @@ TEST_CASE(
   REQUIRE(drawn(hand).faces[0].inner.size() == 1);
   shoot(hand, "6-inner");
   const QString path = hand.folder() + "/bonnet.glb";
-  hand.window().files().export_solid(path);
+  app::export_solid(hand.studio(), path);
   CHECK(QFile(path).size() > 1000);
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't clos
 
   hand.act("undo");
   hand.settle();
-  network_of(hand).act([&](SurfaceTool& tool) { return tool.remove({{}, {drawn(hand).curves[1].id}, {}, {}}); });
+  network_of(hand).act(recorded::SurfaceDelete{{{}, {drawn(hand).curves[1].id}, {}, {}}});
   box_select(hand, pointer);
   hand.picture();
   const auto* gap = hand.viewport().findChild<QLabel*>("gap-chip");
@@ -286,7 +286,7 @@ TEST_CASE("a curve is made smooth and a crease again by a key, split and merged 
   StudioFixture hand;
   open_network(hand, "car_intact");
   const auto choose = [&](const std::string& curve) {
-    network_of(hand).act([&](SurfaceTool& tool) { return tool.choose({{}, {curve}, {}, {}}); });
+    network_of(hand).act(recorded::SurfaceChoice{{{}, {curve}, {}, {}}});
     return find_element(drawn(hand), NetworkElement::Curve, curve);
   };
   const Index crease = static_cast<Index>(
@@ -347,7 +347,7 @@ TEST_CASE("a patch that can't be made stays as a loop, the others are made, and 
   AttributeNetwork broken = drawn(hand);
   const Index hood = find_element(broken, NetworkElement::Face, "hood");
   broken.faces[hood].loop[0].reversed = !broken.faces[hood].loop[0].reversed;
-  hand.studio().start_with(broken, "broken");
+  app::start_with(hand.studio(), broken, "broken");
   hand.window().show_views();
   hand.settle();
   CHECK(!result_of(hand).surface->faces[hood].surface);

@@ -357,13 +357,13 @@ TEST_CASE("a sentence that doesn't fit ends in dots and is whole under the point
     CHECK(help->seen().endsWith("…"));
     CHECK(help->toolTip() == longest);
     CHECK(help->geometry().right() < line->width());
-    line->tell(longest);
+    line->say(longest);
     QApplication::processEvents();
     CHECK(!help->isVisible());
     CHECK(message->seen().endsWith("…"));
     CHECK(message->toolTip() == longest);
     line->show_help("short");
-    line->tell("shorter");
+    line->say("shorter");
     QApplication::processEvents();
     CHECK(help->seen() == "short");
     CHECK(message->seen() == "shorter");
@@ -432,12 +432,12 @@ TEST_CASE("a new sketch frees what the old one took", "[window]") {
   }
   REQUIRE(meshes.size() == 2);
   CHECK(!meshes[0].expired());
-  CHECK(hand.studio().result_bytes() > 0);
+  CHECK(hand.studio().evaluator().bytes() > 0);
   hand.studio().session().mark_saved();
   hand.act("new");
   hand.settle();
   CHECK(hand.studio().session().history_bytes() == 0);
-  CHECK(hand.studio().result_bytes() == 0);
+  CHECK(hand.studio().evaluator().bytes() == 0);
   CHECK(hand.wait_for([&] { return meshes[0].expired() && meshes[1].expired(); }));
 }
 
@@ -465,7 +465,7 @@ TEST_CASE("undo and results share one cap", "[window]") {
   for (int step = 1; step <= 4; ++step) {
     node.source = large(step);
     session.edit("Change", session.document().with(node));
-    CHECK(session.history_bytes() + hand.studio().result_bytes() <= app::Studio::memory_cap);
+    CHECK(session.history_bytes() + hand.studio().evaluator().bytes() <= app::Studio::memory_cap);
     CHECK(session.history_bytes() <= app::Studio::history_cap);
   }
   CHECK(session.history_bytes() / bytes_each == app::Studio::history_cap / bytes_each);

@@ -47,7 +47,7 @@ void draw_triangle(StudioFixture& hand) {
     const AttributeNetwork& now = network.network();
     if (k > 0) stroke.start.node = now.nodes[k].id;
     if (k == 2) stroke.end.node = now.nodes[0].id;
-    network.act([&](SurfaceTool& tool) { return tool.draw(stroke); });
+    network.act(stroke);
     hand.settle();
   }
 }
@@ -264,8 +264,8 @@ TEST_CASE("diameters of holes have the document's unit", "[words]") {
   StudioFixture hand;
   hand.act("new-perspective");
   auto& tool = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool();
-  tool.draw({{300, 300}, {350, 320}, {420, 350}}, 1, std::nullopt, StrokeRole::Edge);
-  tool.set_unit("cm");
+  tool.take(recorded::SheetStroke{{{300, 300}, {350, 320}, {420, 350}}, {}, StrokeRole::Edge, false, 1, {}});
+  tool.take(recorded::SheetUnit{"cm"});
   open_scan(hand, ball_with_holes(2));
   const auto* table = hand.window().findChild<app::HoleTable*>("holes");
   REQUIRE(table != nullptr);

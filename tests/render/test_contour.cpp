@@ -70,14 +70,14 @@ TEST_CASE("a sphere has a line all along its outline and nowhere else") {
     const RenderedPicture picture =
         picture_of(renderer, test::uv_sphere(96, 48), NamedView::Front, lines_on_flat(), {size, size});
     const double radius = 0.44 * size;
-    int strays = 0;
+    int misses = 0;
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
         const double away = std::hypot(x + 0.5 - 0.5 * size, y + 0.5 - 0.5 * size) - radius;
-        if (std::abs(away) > 2 && brightness(pixel(picture, x, y)) < 180) ++strays;
+        if (std::abs(away) > 2 && brightness(pixel(picture, x, y)) < 180) ++misses;
       }
     }
-    CHECK(strays == 0);
+    CHECK(misses == 0);
     for (int degrees = 0; degrees < 360; degrees += 3) {
       const double angle = degrees * M_PI / 180;
       const int x = static_cast<int>(0.5 * size + radius * std::cos(angle));

@@ -102,7 +102,7 @@ TEST_CASE("coordinates of any size and place come out the same relative to the b
   CHECK(item->scale == Approx(reference->scale * size));
 }
 
-TEST_CASE("parts get palette colours: components, or groups and objects where they tell more") {
+TEST_CASE("parts get palette colours: components, or groups and objects where these say more") {
   PolyMesh mesh = test::merged(test::cube(), test::translated(test::cube(), {3, 0, 0}));
   CHECK(colors_of(*make_mesh_item(mesh)).size() == 2);
   std::vector<std::int32_t> groups;

@@ -190,7 +190,7 @@ TEST_CASE("a host's framebuffer may have several samples per pixel") {
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, 4, GL_RGBA8, HostFramebuffer::width, HostFramebuffer::height);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-    const Viewport viewport{0, 0, HostFramebuffer::width, HostFramebuffer::height, {}};
+    const PixelRect viewport{0, 0, HostFramebuffer::width, HostFramebuffer::height, {}};
     renderer.draw(crowded_scene(), camera_at(0), RenderOptions::interactive(), viewport);
 
     const HostFramebuffer resolved;

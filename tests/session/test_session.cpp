@@ -324,13 +324,13 @@ TEST_CASE("selected components are part of undo steps, and cost nothing while th
     return Value(std::make_shared<const PolyMesh>(test::scaled(test::cube(), size)));
   };
   Session session(Document().with(test::source_node(mesh(1))));
-  int told = 0;
-  session.on_change([&] { ++told; });
+  int changes = 0;
+  session.on_change([&] { ++changes; });
   session.select_components({1, ComponentKind::Face, {4, 1}});
   CHECK(session.components() == ComponentSelection{1, ComponentKind::Face, {1, 4}});
-  CHECK(told == 1);
+  CHECK(changes == 1);
   session.select_components({1, ComponentKind::Face, {1, 4, 4}});
-  CHECK(told == 1);
+  CHECK(changes == 1);
   CHECK_FALSE(session.can_undo());
   const auto before = session.shared_components();
 
@@ -340,7 +340,7 @@ TEST_CASE("selected components are part of undo steps, and cost nothing while th
   CHECK(session.shared_components() == before);
   larger.source = mesh(3);
   session.edit("grow again", session.document().with(larger), {1, ComponentKind::Vertex, {7}});
-  CHECK(told == 3);
+  CHECK(changes == 3);
   CHECK(session.components() == ComponentSelection{1, ComponentKind::Vertex, {7}});
   session.undo();
   CHECK(session.components() == *before);

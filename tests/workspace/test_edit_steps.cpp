@@ -8,7 +8,9 @@
 #include "croquis/document/connectivity.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/operators/all_operations.h"
-#include "croquis/workspace/workspace.h"
+#include "croquis/workspace/computed.h"
+#include "croquis/workspace/object_commands.h"
+#include "croquis/workspace/step_commands.h"
 #include "support/main_loop.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/trial_operation.h"
@@ -45,9 +47,9 @@ struct Desk {
   /// A step of edits after a mesh.
   NodeId add_edits(NodeId after, const std::string& lines) {
     settle();
-    const auto mesh = workspace.final_mesh(workspace.session().document(), after);
+    const auto mesh = final_mesh(workspace, workspace.session().document(), after);
     REQUIRE(mesh);
-    const NodeId step = workspace.add_step(after, "edit", {{"do", lines}, {"connectivity", connectivity_name(*mesh)}});
+    const NodeId step = add_step(workspace, after, "edit", {{"do", lines}, {"connectivity", connectivity_name(*mesh)}});
     settle();
     return step;
   }
@@ -60,7 +62,7 @@ struct Desk {
   }
 
   ChainStep step(NodeId id) const {
-    for (const ChainStep& step : workspace.steps_of(*workspace.object(id))) {
+    for (const ChainStep& step : steps_of(workspace, *workspace.object(id))) {
       if (step.node == id) return step;
     }
     return {};
@@ -71,15 +73,15 @@ struct Desk {
 
 TEST_CASE("the cage of a chain is its first mesh with the edits after it, and a chosen step has its own") {
   Desk desk;
-  const NodeId box = desk.workspace.add_source("box", value_of(cube()));
+  const NodeId box = add_source(desk.workspace, "box", value_of(cube()));
   CHECK(desk.workspace.active()->cage == box);
   CHECK(desk.workspace.active()->is_source());
   const NodeId edits = desk.add_edits(box, "inset faces=0 width=0.1");
   CHECK(desk.workspace.active()->cage == edits);
   CHECK(desk.workspace.active()->cage_mesh == desk.workspace.active()->mesh);
   CHECK(desk.workspace.active()->name == "box");
-  const NodeId smooth = desk.workspace.add_step(edits, "subdivide");
-  const NodeId fairer = desk.workspace.add_step(smooth, "subdivide");
+  const NodeId smooth = add_step(desk.workspace, edits, "subdivide");
+  const NodeId fairer = add_step(desk.workspace, smooth, "subdivide");
   const NodeId last = desk.add_edits(fairer, "");
   const auto cage_when_selected = [&](NodeId node) {
     desk.workspace.session().select({{node, ""}});
@@ -90,15 +92,15 @@ TEST_CASE("the cage of a chain is its first mesh with the edits after it, and a 
   CHECK(cage_when_selected(smooth) == edits);
   CHECK(cage_when_selected(fairer) == smooth);
   CHECK(cage_when_selected(last) == last);
-  CHECK(desk.workspace.active()->cage_mesh->face_count() == desk.workspace.mesh_at(fairer)->face_count());
+  CHECK(desk.workspace.active()->cage_mesh->face_count() == mesh_at(desk.workspace, fairer)->face_count());
 }
 
 TEST_CASE("the solid of a drawing has a cage while elements are picked, and for good once it was edited") {
   Desk desk;
   Drawing drawing;
   drawing.strokes.push_back({});
-  const NodeId sketch = desk.workspace.add_source("sketch", std::make_shared<const Drawing>(drawing));
-  const NodeId solid = desk.workspace.add_step(sketch, "solid");
+  const NodeId sketch = add_source(desk.workspace, "sketch", std::make_shared<const Drawing>(drawing));
+  const NodeId solid = add_step(desk.workspace, sketch, "solid");
   desk.settle();
   const auto object = [&]() -> const WorkObject& { return *desk.workspace.active(); };
   CHECK(object().cage == 0);
@@ -118,7 +120,7 @@ TEST_CASE("the solid of a drawing has a cage while elements are picked, and for 
 
 TEST_CASE("edits of a mesh that is joined otherwise now need attention, and show their last result") {
   Desk desk;
-  const NodeId box = desk.workspace.add_source("box", value_of(cube()));
+  const NodeId box = add_source(desk.workspace, "box", value_of(cube()));
   const NodeId edits = desk.add_edits(box, "extrude faces=3 distance=1");
   CHECK(desk.step(edits).state == StepState::Fresh);
   desk.replace(box, scaled(cube(), 3));
@@ -128,7 +130,7 @@ TEST_CASE("edits of a mesh that is joined otherwise now need attention, and show
   CHECK_FALSE(desk.step(edits).problem.empty());
   CHECK(desk.workspace.active()->mesh->face_count() == 10);
 
-  desk.workspace.reapply_step(edits);
+  reapply_step(desk.workspace, edits);
   desk.settle();
   CHECK(desk.step(edits).state == StepState::Fresh);
   CHECK(desk.workspace.active()->mesh->face_count() == 35 + 4);
@@ -138,8 +140,8 @@ TEST_CASE("edits of a mesh that is joined otherwise now need attention, and show
 
   desk.replace(box, grid(2, 1));
   const ContentHash before = content_hash(desk.workspace.session().document());
-  CHECK_THROWS_AS(desk.workspace.reapply_step(edits), Error);  // there is no face 3
-  CHECK_THROWS_AS(desk.workspace.reapply_step(box), Error);
+  CHECK_THROWS_AS(reapply_step(desk.workspace, edits), Error);  // there is no face 3
+  CHECK_THROWS_AS(reapply_step(desk.workspace, box), Error);
   CHECK(content_hash(desk.workspace.session().document()) == before);
 }
 
@@ -147,13 +149,13 @@ TEST_CASE("edits applied again by position pick the same places of a mesh that w
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     Desk desk;
     const PolyMesh first = torus(9, 7);
-    const NodeId ring = desk.workspace.add_source("ring", value_of(first));
+    const NodeId ring = add_source(desk.workspace, "ring", value_of(first));
     const NodeId edits = desk.add_edits(ring, "move vertices=5,11 by=0,0,0.02; extrude faces=20 distance=0.1");
     const PolyMesh wanted = *desk.workspace.active()->mesh;
     const Vec3 offset(0.01, -0.01, 0.005);
     desk.replace(ring, translated(shuffled(first, seed), offset));
     REQUIRE(desk.step(edits).state == StepState::NeedsAttention);
-    desk.workspace.reapply_step_by_position(edits);
+    reapply_step_by_position(desk.workspace, edits);
     desk.settle();
     CHECK(desk.step(edits).state == StepState::Fresh);
     const PolyMesh& found = *desk.workspace.active()->mesh;
@@ -170,25 +172,25 @@ TEST_CASE("edits applied again by position pick the same places of a mesh that w
 
 TEST_CASE("steps after edits that don't fit wait, say for what, and keep their shape or follow on request") {
   Desk desk;
-  const NodeId box = desk.workspace.add_source("box", value_of(cube()));
+  const NodeId box = add_source(desk.workspace, "box", value_of(cube()));
   const NodeId edits = desk.add_edits(box, "extrude faces=3 distance=1");
-  const NodeId smooth = desk.workspace.add_step(edits, "subdivide");
+  const NodeId smooth = add_step(desk.workspace, edits, "subdivide");
   desk.settle();
-  const std::size_t faces = desk.workspace.mesh_at(smooth)->face_count();
-  CHECK(desk.workspace.kept_results().empty());
+  const std::size_t faces = mesh_at(desk.workspace, smooth)->face_count();
+  CHECK(kept_results(desk.workspace).empty());
   desk.replace(box, torus(7, 5));
   CHECK(desk.step(edits).state == StepState::NeedsAttention);
   CHECK(desk.step(smooth).state == StepState::Held);
   CHECK(desk.step(smooth).waits_for == "Edit");
   CHECK(desk.step(smooth).problem.find("'Subdivide' waits for 'Edit'") == 0);
   // One sentence, about the step that has to be mended.
-  const std::vector<NodeFinding> findings = desk.workspace.findings();
+  const std::vector<NodeFinding> findings = findings_of(desk.workspace);
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].node == edits);
   CHECK(findings[0].finding.code == connectivity_code);
 
   // Saved, or recovered, and opened again, all is as it was.
-  const KeptResults kept = desk.workspace.kept_results();
+  const KeptResults kept = kept_results(desk.workspace);
   REQUIRE(kept.size() == 2);
   Desk other;
   other.workspace.load(desk.workspace.session().document(), false, {kept, {}});
@@ -198,19 +200,19 @@ TEST_CASE("steps after edits that don't fit wait, say for what, and keep their s
     CHECK(other.step(smooth).state == StepState::Held);
     CHECK(other.workspace.active()->mesh->face_count() == faces);
     if (keeps) {
-      other.workspace.freeze_step(edits);
+      freeze_step(other.workspace, edits);
     } else {
-      other.workspace.reapply_step_by_position(edits);
+      reapply_step_by_position(other.workspace, edits);
     }
     other.settle();
     CHECK(other.step(smooth).state == StepState::Fresh);
     CHECK((other.workspace.active()->mesh->face_count() == faces) == keeps);
-    CHECK(other.workspace.kept_results().empty());
+    CHECK(kept_results(other.workspace).empty());
     other.workspace.session().undo();
     other.settle();
   }
   // The end of a chain, too, becomes an object of its own.
-  other.workspace.freeze_step(smooth);
+  freeze_step(other.workspace, smooth);
   other.settle();
   CHECK(other.workspace.active()->chain == std::vector<NodeId>{smooth});
   CHECK(other.workspace.active()->mesh->face_count() > 0);
@@ -218,7 +220,7 @@ TEST_CASE("steps after edits that don't fit wait, say for what, and keep their s
 
 TEST_CASE("without the mesh that edits were made for, they aren't applied by position") {
   Desk desk;
-  const NodeId box = desk.workspace.add_source("box", value_of(cube()));
+  const NodeId box = add_source(desk.workspace, "box", value_of(cube()));
   const NodeId edits = desk.add_edits(box, "extrude faces=3 distance=1");
   Node node = *desk.workspace.session().document().find(box);
   node.source = value_of(torus(7, 5));
@@ -227,7 +229,7 @@ TEST_CASE("without the mesh that edits were made for, they aren't applied by pos
   other.workspace.load(document);
   other.settle();
   try {
-    other.workspace.reapply_step_by_position(edits);
+    reapply_step_by_position(other.workspace, edits);
     FAIL("applied");
   } catch (const Error& error) {
     CHECK(error.findings().front().code == "E_STEP");

@@ -31,7 +31,7 @@ const std::string sketch_svg =
 
 using Names = std::vector<std::string>;
 
-Names told(const ReadFindings& findings, const Document& document) {
+Names reported(const ReadFindings& findings, const Document& document) {
   Names names;
   for (const Finding& finding : findings.in(document)) {
     const bool about_stroke = finding.subjects.front().kind == SubjectKind::Stroke;
@@ -73,7 +73,7 @@ std::vector<Change> all_changes() {
 
 }  // namespace
 
-TEST_CASE("a finding about a stroke of a perspective drawing is told until that stroke is changed or deleted") {
+TEST_CASE("a finding about a stroke of a perspective drawing is reported until that stroke is changed or deleted") {
   Progress progress;
   const PerspectiveReadResult file = read_perspective_svg(sheet_svg, "sheet.svg", progress);
   const Document read = Document().with(source_node(std::make_shared<const PerspectiveDrawing>(file.drawing)));
@@ -81,20 +81,20 @@ TEST_CASE("a finding about a stroke of a perspective drawing is told until that 
   ReadFindings findings;
   findings.add(file.warnings, read);
   const Names all{"GROUP_COLOUR a", "W_VALUE b", "GROUP_COLOUR c", "W_DUPLICATE_ID c-2", "W_NO_SHEET"};
-  REQUIRE(told(findings, read) == all);
+  REQUIRE(reported(findings, read) == all);
   for (std::size_t i = 0; i < file.drawing.strokes.size(); ++i) {
     const Names others = without(all, all[i]);
     for (const Change& change : all_changes()) {
       PerspectiveDrawing edited = file.drawing;
       change(edited.strokes[i]);
-      CHECK(told(findings, with_drawing(read, node, edited)) == others);
+      CHECK(reported(findings, with_drawing(read, node, edited)) == others);
     }
     PerspectiveDrawing less = file.drawing;
     less.strokes.erase(less.strokes.begin() + static_cast<std::ptrdiff_t>(i));
-    CHECK(told(findings, with_drawing(read, node, less)) == others);
+    CHECK(reported(findings, with_drawing(read, node, less)) == others);
   }
-  CHECK(told(findings, read.without(node)) == Names{"W_NO_SHEET"});
-  CHECK(told(findings, read) == all);
+  CHECK(reported(findings, read.without(node)) == Names{"W_NO_SHEET"});
+  CHECK(reported(findings, read) == all);
 }
 
 TEST_CASE("what else is changed in a document leaves the findings about strokes as they are") {
@@ -105,7 +105,7 @@ TEST_CASE("what else is changed in a document leaves the findings about strokes 
   const NodeId node = read.nodes().front()->id;
   ReadFindings findings;
   findings.add(file.warnings, read);
-  const Names all = told(findings, read);
+  const Names all = reported(findings, read);
   PerspectiveDrawing edited = file.drawing;
   edited.image_size *= 2;
   edited.unit = "mm";
@@ -113,29 +113,29 @@ TEST_CASE("what else is changed in a document leaves the findings about strokes 
   std::ranges::reverse(edited.strokes);
   edited.strokes.push_back(edited.strokes.front());
   edited.strokes.back().id = "new";
-  CHECK(told(findings, with_drawing(read, node, edited)) == all);
+  CHECK(reported(findings, with_drawing(read, node, edited)) == all);
   // Another drawing with strokes of the same names.
   edited.strokes.clear();
   const Document both = read.with(source_node(std::make_shared<const PerspectiveDrawing>(edited), "second"));
-  CHECK(told(findings, both) == all);
-  CHECK(told(findings, with_drawing(both, both.nodes().back()->id, file.drawing)) == all);
+  CHECK(reported(findings, both) == all);
+  CHECK(reported(findings, with_drawing(both, both.nodes().back()->id, file.drawing)) == all);
 }
 
-TEST_CASE("a finding about a stroke of a sketch is told until that stroke is changed, one left out always") {
+TEST_CASE("a finding about a stroke of a sketch is reported until that stroke is changed, one left out always") {
   Progress progress;
   const DrawingReadResult file = read_svg_drawing(sketch_svg, "sketch.svg", progress);
   const Document read = Document().with(source_node(std::make_shared<const Drawing>(file.drawing)));
   const NodeId node = read.nodes().front()->id;
   ReadFindings findings;
   findings.add(file.warnings, read);
-  REQUIRE(told(findings, read) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2"});
+  REQUIRE(reported(findings, read) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2"});
   Drawing edited = file.drawing;
   edited.strokes[0].samples.pop_back();
-  CHECK(told(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2"});
+  CHECK(reported(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2"});
   edited.strokes[1].samples.pop_back();
-  CHECK(told(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot"});
+  CHECK(reported(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot"});
   edited.strokes.clear();
-  CHECK(told(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot"});
+  CHECK(reported(findings, with_drawing(read, node, edited)) == Names{"W_TINY dot"});
   findings.clear();
   CHECK(findings.in(read).empty());
 }
@@ -152,8 +152,8 @@ TEST_CASE("findings of files that were added later stay beside those of a drawin
   findings.add(
       {make_warning(Category::Malformed, "W_TRIAL", "A face is missing.", {numbered_subject(SubjectKind::Face, 3)})},
       later);
-  CHECK(told(findings, later) == Names{"W_TINY dot", "W_TRIAL"});
-  CHECK(told(findings, read) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2", "W_TRIAL"});
+  CHECK(reported(findings, later) == Names{"W_TINY dot", "W_TRIAL"});
+  CHECK(reported(findings, read) == Names{"W_TINY dot", "W_DUPLICATE_ID a-2", "W_TRIAL"});
 }
 
 }  // namespace croquis::test

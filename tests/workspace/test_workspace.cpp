@@ -6,8 +6,10 @@
 
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
+#include "croquis/workspace/computed.h"
 #include "croquis/workspace/node_values.h"
-#include "croquis/workspace/workspace.h"
+#include "croquis/workspace/object_commands.h"
+#include "croquis/workspace/step_commands.h"
 #include "support/main_loop.h"
 #include "support/trial_operation.h"
 
@@ -41,7 +43,7 @@ struct Desk {
                    .result_changed = [this] { ++results; },
                    .progress = {},
                    .busy_changed = {}}) {
-    mesh = workspace.add_source("bolt", point(1));
+    mesh = add_source(workspace, "bolt", point(1));
   }
 
   void settle() {
@@ -63,7 +65,7 @@ struct Desk {
   }
 
   StepState state(NodeId step) const {
-    for (const ChainStep& s : workspace.steps_of(*workspace.object(step))) {
+    for (const ChainStep& s : steps_of(workspace, *workspace.object(step))) {
       if (s.node == step) return s.state;
     }
     return StepState::Source;
@@ -72,7 +74,7 @@ struct Desk {
 
 TEST_CASE("workspace: a value that is given is kept, also where it equals the default") {
   Desk desk;
-  const NodeId step = desk.workspace.add_step(desk.mesh, "scale", {{"factor", 5.0}});
+  const NodeId step = add_step(desk.workspace, desk.mesh, "scale", {{"factor", 5.0}});
   desk.workspace.set_parameter(step, "factor", 2.0, false);
   const Node& node = *desk.workspace.session().document().find(step);
   CHECK(node.parameters == ParameterValues{{"factor", 2.0}});
@@ -83,25 +85,25 @@ TEST_CASE("workspace: a value that is given is kept, also where it equals the de
 
 TEST_CASE("workspace: the end of a chain follows its beginning") {
   Desk desk;
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
-  const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 5.0}});
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale");
+  const NodeId second = add_step(desk.workspace, first, "other", {{"factor", 5.0}});
   REQUIRE(desk.workspace.objects().size() == 1);
   CHECK(desk.workspace.objects().front().chain == std::vector<NodeId>{desk.mesh, first, second});
   CHECK(desk.end(second) == 10);
   desk.move_source(3);
   CHECK(desk.end(second) == 30);
-  desk.workspace.enable_step(first, false);
+  enable_step(desk.workspace, first, false);
   CHECK(desk.state(first) == StepState::Off);
   CHECK(desk.end(second) == 15);
-  desk.workspace.enable_step(first, true);
+  enable_step(desk.workspace, first, true);
   CHECK(desk.end(second) == 30);
-  CHECK(desk.workspace.mesh_at(first)->positions.front().x() == 6);
+  CHECK(mesh_at(desk.workspace, first)->positions.front().x() == 6);
 }
 
-TEST_CASE("workspace: steps tell what is known of them") {
+TEST_CASE("workspace: steps say what is known of them") {
   Desk desk;
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale", {{"factor", 3.0}});
-  const NodeId second = desk.workspace.add_step(first, "other");
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale", {{"factor", 3.0}});
+  const NodeId second = add_step(desk.workspace, first, "other");
   desk.settle();  // a busy machine may have computed it before anybody could look
   CHECK(desk.state(desk.mesh) == StepState::Source);
   CHECK(desk.state(first) == StepState::Fresh);
@@ -110,26 +112,26 @@ TEST_CASE("workspace: steps tell what is known of them") {
   desk.settle();
   CHECK(desk.state(first) == StepState::Fresh);
   CHECK(desk.state(second) == StepState::Stale);
-  CHECK(desk.workspace.steps_of(*desk.workspace.object(second)).back().problem == "The mesh is too far away.");
+  CHECK(steps_of(desk.workspace, *desk.workspace.object(second)).back().problem == "The mesh is too far away.");
   CHECK(desk.end(second) == 6);  // as it was
-  desk.workspace.enable_step(first, false);
+  enable_step(desk.workspace, first, false);
   CHECK(desk.end(second) == 1000);
   CHECK(desk.state(second) == StepState::Fresh);
 }
 
 TEST_CASE("workspace: only what was computed can be frozen") {
   Desk desk;
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
-  const NodeId second = desk.workspace.add_step(first, "other", {{"factor", 7.0}});
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale");
+  const NodeId second = add_step(desk.workspace, first, "other", {{"factor", 7.0}});
   desk.move_source(2000);  // too far for both
-  const NodeId third = desk.workspace.add_step(second, "scale");
+  const NodeId third = add_step(desk.workspace, second, "scale");
   desk.settle();
-  CHECK_THROWS_AS(desk.workspace.freeze_step(third), Error);
-  CHECK_THROWS_AS(desk.workspace.freeze_step(desk.mesh), Error);
+  CHECK_THROWS_AS(freeze_step(desk.workspace, third), Error);
+  CHECK_THROWS_AS(freeze_step(desk.workspace, desk.mesh), Error);
   desk.workspace.session().undo();
   desk.workspace.session().undo();
   desk.settle();
-  desk.workspace.freeze_step(first);
+  freeze_step(desk.workspace, first);
   CHECK(desk.workspace.objects().front().chain == std::vector<NodeId>{first, second});
   CHECK(desk.workspace.session().document().find(desk.mesh) == nullptr);
   CHECK(desk.end(second) == 14);
@@ -143,21 +145,21 @@ TEST_CASE("workspace: undo to the start and redo to the end give the same docume
   std::vector<ContentHash> hashes;
   const auto note = [&] { hashes.push_back(content_hash(desk.workspace.session().document())); };
   note();
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale");
   note();
-  desk.workspace.add_step(first, "other");
+  add_step(desk.workspace, first, "other");
   note();
-  desk.workspace.move_step(first, 1);
+  move_step(desk.workspace, first, 1);
   note();
-  desk.workspace.copy_step(first);
+  copy_step(desk.workspace, first);
   note();
-  desk.workspace.enable_step(first, false);
+  enable_step(desk.workspace, first, false);
   note();
-  desk.workspace.copy_objects({first});
+  copy_objects(desk.workspace, {first});
   note();
-  desk.workspace.remove_step(first);
+  remove_step(desk.workspace, first);
   note();
-  desk.workspace.remove_objects({desk.mesh});
+  remove_objects(desk.workspace, {desk.mesh});
   note();
   Session& session = desk.workspace.session();
   REQUIRE(session.undo_labels().size() + 1 == hashes.size());
@@ -175,22 +177,22 @@ TEST_CASE("workspace: undo to the start and redo to the end give the same docume
 
 TEST_CASE("workspace: the selected step is the active one, and its object stays active") {
   Desk desk;
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
-  const NodeId second = desk.workspace.add_step(first, "other");
-  const NodeId cube = desk.workspace.add_source("cube", point(4));
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale");
+  const NodeId second = add_step(desk.workspace, first, "other");
+  const NodeId cube = add_source(desk.workspace, "cube", point(4));
   CHECK(desk.workspace.active()->node == cube);
   desk.workspace.session().select({{first, ""}});
   CHECK(desk.workspace.active()->node == second);
-  CHECK(desk.workspace.active_step() == first);
-  CHECK(desk.workspace.active_operation()->operation == "scale");
+  CHECK(active_step(desk.workspace) == first);
+  CHECK(active_operation(desk.workspace)->operation == "scale");
   desk.workspace.session().select({});
   CHECK(desk.workspace.active()->node == second);
-  CHECK(desk.workspace.active_step() == second);
+  CHECK(active_step(desk.workspace) == second);
 }
 
 TEST_CASE("workspace: results are kept back while they are held") {
   Desk desk;
-  const NodeId first = desk.workspace.add_step(desk.mesh, "scale");
+  const NodeId first = add_step(desk.workspace, desk.mesh, "scale");
   desk.settle();
   desk.workspace.hold_results(true);
   desk.move_source(9);

@@ -21,12 +21,12 @@ struct PictureCrop {
 };
 
 /// The rectangle of the framebuffer that receives the picture, in pixels from the lower left corner.
-struct Viewport {
+struct PixelRect {
   int x = 0;
   int y = 0;
   int width = 0;                    ///< > 0
   int height = 0;                   ///< > 0
-  std::optional<PictureCrop> crop;  ///< the viewport shows this part; without it the whole picture
+  std::optional<PictureCrop> crop;  ///< it shows this part; without it the whole picture
 };
 
 /// What went to the graphics card since the renderer was made: buffers of items, not those of views.
@@ -54,11 +54,11 @@ class Renderer {
   /// but for program, vertex array, array buffer and the 2D textures of the first eight units, which are set to none.
   /// The same scene, camera, options and size give the same pixels on the same driver.
   /// @throws Error (E_GL) when the driver reports an error or can't make a buffer of that size
-  void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const Viewport& viewport);
+  void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, const PixelRect& viewport);
 
   /// The same of surfaces alone.
   void draw(const std::vector<MeshItemPtr>& items, const Camera& camera, const RenderOptions& options,
-            const Viewport& viewport);
+            const PixelRect& viewport);
 
   /// Whether the last drawing left something out, for `RenderOptions::upload_budget`: draw again, soon. Views that
   /// share a renderer each have to ask after their own drawing.

@@ -105,7 +105,7 @@ class Session {
   void show(Document document, std::uint64_t state);
   void take_components(ComponentSelection components);
   void forget_beyond_cap();
-  void tell();
+  void report_change();
 
   Document document_;
   Selection selection_;

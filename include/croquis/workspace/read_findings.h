@@ -14,8 +14,9 @@ namespace croquis {
 
 /// What was found in the files that a document was read from.
 ///
-/// What is said about strokes is true of them as they were read: it is no longer told once they are changed or deleted,
-/// and told again when that is undone. Strokes that reading left out of the drawing can't be changed. For one thread.
+/// What is said about strokes is true of them as they were read: it is no longer reported once they are changed or
+/// deleted, and reported again when that is undone. Strokes that reading left out of the drawing can't be changed. For
+/// one thread.
 class ReadFindings {
  public:
   /// @param read the document when it was read, with all that the file brought

@@ -194,7 +194,7 @@ void FileReader::read(const QString& path, PlainDrawing plain, PictureUse use) {
     emit busy_changed(true);
   }
   thread_.start([this, path, plain, use, cancelled = cancelled_] {
-    Progress progress([this](double fraction, const std::string& step) { tell_progress(fraction, step); },
+    Progress progress([this](double fraction, const std::string& step) { report_progress(fraction, step); },
                       cancelled.get());
     std::shared_ptr<const ReadFile> file;
     Findings findings;
@@ -215,7 +215,7 @@ void FileReader::read(const QString& path, PlainDrawing plain, PictureUse use) {
   });
 }
 
-void FileReader::tell_progress(double fraction, const std::string& step) {
+void FileReader::report_progress(double fraction, const std::string& step) {
   // One at a time: readers report far more often than a window can show.
   if (progress_posted_.exchange(true)) return;
   QMetaObject::invokeMethod(

@@ -86,7 +86,7 @@ class FileReader : public QObject {
  private:
   void take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings);
 
-  void tell_progress(double fraction, const std::string& step);
+  void report_progress(double fraction, const std::string& step);
 
   int open_ = 0;
   std::atomic<bool> progress_posted_ = false;

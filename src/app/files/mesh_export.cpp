@@ -2,19 +2,26 @@
 #include "app/files/mesh_export.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QMetaObject>
 #include <QStringList>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "app/files/project_files.h"
+#include "app/files/file_reader.h"
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/geometry/self_intersection.h"
+#include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
+#include "croquis/io/mesh_file.h"
+#include "croquis/io/perspective_drawing_file.h"
+#include "croquis/io/svg_drawing.h"
+#include "croquis/io/svg_writer.h"
 #include "croquis/tools/perspective/sheet_units.h"
+#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
@@ -35,6 +42,21 @@ void look_at_crossings(const PolyMesh& mesh, const SelfIntersections& crossings,
     check.doubt->subjects.push_back(numbered_subject(SubjectKind::Face, face));
     for (const Index vertex : mesh.face(face)) check.where.extend(mesh.positions[vertex]);
   }
+}
+
+std::string local_path(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+std::string writable_endings() {
+  std::vector<std::string> endings;
+  for (const MeshFormat format : mesh_formats()) endings.push_back(extension_of(format));
+  return either_of(endings);
+}
+
+/// The camera that the object was drawn for.
+std::optional<Camera> camera_of(const Studio& studio, const WorkObject& object) {
+  const auto camera = value_along(studio, object, ValueType::Camera).as<Camera>();
+  if (camera == nullptr) return std::nullopt;
+  return *camera;
 }
 
 }  // namespace
@@ -72,23 +94,23 @@ QString summary_of(const MeshReport& figures, const QString& unit) {
   return parts.join(QStringLiteral(", "));
 }
 
-double ProjectFiles::export_scale(const MeshExport& wanted) const {
-  const double unit = metres_of_unit(wanted.unit), own = metres_of_unit(studio_.unit().empty() ? "mm" : studio_.unit());
+double export_scale(const Studio& studio, const MeshExport& wanted) {
+  const double unit = metres_of_unit(wanted.unit), own = metres_of_unit(studio.unit().empty() ? "mm" : studio.unit());
   return unit > 0 && own > 0 ? own / unit : 1;
 }
 
-std::vector<NamedMesh> ProjectFiles::meshes_of(const MeshExport& wanted) const {
+std::vector<NamedMesh> meshes_of(const Studio& studio, const MeshExport& wanted) {
   std::vector<NodeId> nodes;
-  if (wanted.objects == MeshExport::Objects::Picked) nodes = studio_.picked_or_active();
-  for (const WorkObject& object : studio_.objects()) {
+  if (wanted.objects == MeshExport::Objects::Picked) nodes = picked_or_active(studio);
+  for (const WorkObject& object : studio.objects()) {
     const bool all = wanted.objects == MeshExport::Objects::All;
     if (all || (wanted.objects == MeshExport::Objects::Visible && object.visible)) nodes.push_back(object.node);
   }
   if (nodes.empty()) throw Error(make_error(Category::Geometry, "E_EMPTY", "There is no mesh to export"));
-  const Affine3 scaling{export_scale(wanted) * Eigen::Matrix3d::Identity(), Vec3::Zero()};
+  const Affine3 scaling{export_scale(studio, wanted) * Eigen::Matrix3d::Identity(), Vec3::Zero()};
   std::vector<NamedMesh> meshes;
   for (const NodeId node : nodes) {
-    const WorkObject& object = *studio_.object(node);
+    const WorkObject& object = *studio.object(node);
     const auto& mesh = object.shown();
     const bool computed = mesh && object.result && mesh == object.mesh;
     if (!mesh || (computed && (object.result->failed || object.quality != Quality::Final))) {
@@ -102,12 +124,101 @@ std::vector<NamedMesh> ProjectFiles::meshes_of(const MeshExport& wanted) const {
   return meshes;
 }
 
-std::shared_ptr<const PolyMesh> ProjectFiles::exported_mesh(const MeshExport& wanted) const {
-  const std::vector<NamedMesh> meshes = meshes_of(wanted);
+std::shared_ptr<const PolyMesh> exported_mesh(const Studio& studio, const MeshExport& wanted) {
+  const std::vector<NamedMesh> meshes = meshes_of(studio, wanted);
   const Affine3& map = meshes.front().map;
   const bool unmoved = map == Affine3{};
   if (meshes.size() == 1 && unmoved) return meshes.front().mesh;
   return std::make_shared<const PolyMesh>(joined(meshes));
+}
+
+Findings export_solid(const Studio& studio, const QString& path, const MeshExport& wanted) {
+  const auto format = mesh_format_of(local_path(path));
+  if (!format) {
+    throw Error(make_error(Category::Usage, "E_FORMAT",
+                           "\"" + local_path(path) + "\" names no mesh format: use " + writable_endings()));
+  }
+  const std::vector<NamedMesh> meshes = meshes_of(studio, wanted);
+  Progress progress;
+  MeshWriteOptions options;
+  const WorkObject* object = studio.active();
+  if (meshes.size() == 1 && object->shown() == meshes.front().mesh) options.camera = camera_of(studio, *object);
+  if (meshes.size() == 1) options.name = meshes.front().name;
+  MeshWriteResult written = write_mesh(joined(meshes), *format, options, progress);
+  OutputTransaction files;
+  files.add(local_path(path), std::move(written.bytes));
+  files.commit();
+  return written.warnings;
+}
+
+std::vector<const OperationDescription*> result_exports(const Studio& studio) {
+  std::vector<const OperationDescription*> found;
+  for (const OperationDescription& operation : studio.registry().descriptions()) {
+    const PortDescription* output = main_output(operation);
+    if (output != nullptr && output->type == ValueType::AttributeNetwork) found.push_back(&operation);
+  }
+  return found;
+}
+
+bool can_export(const Studio& studio, const OperationDescription& operation) {
+  const WorkObject* object = studio.active();
+  const PortDescription* input = main_input(operation);
+  return object != nullptr && input != nullptr && value_along(studio, *object, input->type).has_content();
+}
+
+Findings export_result(const Studio& studio, const OperationDescription& operation, const QString& path) {
+  const WorkObject* object = studio.active();
+  const PortDescription& input = *main_input(operation);
+  const Value value = object == nullptr ? Value() : value_along(studio, *object, input.type);
+  if (!value.has_content()) {
+    throw Error(make_error(Category::Geometry, "E_EMPTY",
+                           "There is no finished " + std::string(to_string(input.type)) + " to export yet"));
+  }
+  Progress progress;
+  Context context{progress};
+  const OperationResult made = run(*studio.registry().find(operation.id), {{input.name, value}}, {}, context);
+  OutputTransaction files;
+  files.add(local_path(path),
+            write_attribute_network(made.outputs.at(main_output(operation)->name).get<AttributeNetwork>()));
+  files.commit();
+  return made.warnings;
+}
+
+std::shared_ptr<const Brep> exact_solid(const Studio& studio) {
+  const WorkObject* object = studio.active();
+  if (object == nullptr || !object->result || object->result->failed || object->result->stale) return nullptr;
+  if (object->result->quality != Quality::Final) return nullptr;
+  for (const auto& [name, value] : object->result->outputs) {
+    const auto solid = value.as<Brep>();
+    if (!solid || solid->faces.empty()) continue;
+    return value.transformed(object->placement.map()).as<Brep>();
+  }
+  return nullptr;
+}
+
+void export_step(const Studio& studio, const QString& path, StepExport& writer) {
+  const std::shared_ptr<const Brep> solid = exact_solid(studio);
+  if (!solid) {
+    throw Error(make_error(Category::Geometry, "E_EMPTY",
+                           "There is no finished solid of a drawing in perspective to export yet"));
+  }
+  StepOptions options;
+  options.name = QFileInfo(path).completeBaseName().toStdString();
+  const NodeId first = studio.active()->chain.front();
+  const auto sheet = source_of<PerspectiveDrawing>(studio.session().document().find(first));
+  if (sheet) options.unit = length_unit_named(sheet->unit).value_or(LengthUnit::Millimetre);
+  writer.start(solid, std::move(options), path);
+}
+
+void export_drawing(const Studio& studio, const QString& path) {
+  OutputTransaction files;
+  const Document& document = studio.session().document();
+  const auto sheet = source_of<PerspectiveDrawing>(document.find(studio.sheet_node()));
+  const auto network = source_of<AttributeNetwork>(document.find(studio.network_node()));
+  files.add(local_path(path), network ? write_attribute_network(*network)
+                              : sheet ? write_perspective_svg(*sheet)
+                                      : write_svg_drawing(studio.drawing()));
+  files.commit();
 }
 
 StepExport::StepExport() { thread_.setMaxThreadCount(1); }

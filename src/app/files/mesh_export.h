@@ -7,15 +7,27 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "app/studio/studio.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/brep.h"
+#include "croquis/geometry/joined_meshes.h"
 #include "croquis/geometry/mesh_report.h"
 #include "step/step_file.h"
 
 namespace croquis::app {
+
+/// Which meshes go into a file.
+struct MeshExport {
+  enum class Objects { Picked, Visible, All };  ///< Picked: the active one where none is
+
+  Objects objects = Objects::Picked;
+  std::string unit = {};  ///< "mm", "cm", "m" or "in" that lengths of the file have; empty: those of the document
+};
 
 /// A mesh looked at before it is written.
 struct ExportCheck {
@@ -59,5 +71,40 @@ class StepExport : public QObject {
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   QThreadPool thread_;
 };
+
+/// The surfaces of these objects as they are shown, where they stand, by their names.
+/// @throws Error (E_EMPTY) where one isn't finished, or there is none
+std::vector<NamedMesh> meshes_of(const Studio& studio, const MeshExport& wanted);
+
+/// These surfaces as one mesh; a single one that stays as it is is that mesh itself.
+std::shared_ptr<const PolyMesh> exported_mesh(const Studio& studio, const MeshExport& wanted);
+
+/// By how much coordinates are multiplied on the way out, for the unit.
+double export_scale(const Studio& studio, const MeshExport& wanted);
+
+/// These surfaces as one file, in the format of the name's extension.
+/// @return what the format can't hold
+Findings export_solid(const Studio& studio, const QString& path, const MeshExport& wanted = {});
+
+/// The operations whose results are files of their own and stand in no view.
+std::vector<const OperationDescription*> result_exports(const Studio& studio);
+
+/// What one of these makes of a value of the active object's chain: its attribute network, say.
+/// @return what the operation warns of
+Findings export_result(const Studio& studio, const OperationDescription& operation, const QString& path);
+
+/// Whether there is such a value, computed to the end.
+bool can_export(const Studio& studio, const OperationDescription& operation);
+
+/// The active object's faces as they are, of solids made from a drawing in perspective; null while it isn't finished,
+/// and of other objects.
+std::shared_ptr<const Brep> exact_solid(const Studio& studio);
+
+/// Begins to write it as STEP, in the drawing's unit; the writer reports the end.
+/// @throws Error (E_EMPTY) without one
+void export_step(const Studio& studio, const QString& path, StepExport& writer);
+
+/// The drawing as SVG.
+void export_drawing(const Studio& studio, const QString& path);
 
 }  // namespace croquis::app

@@ -2,48 +2,31 @@
 #pragma once
 
 #include <QDateTime>
-#include <QElapsedTimer>
 #include <QObject>
 #include <QSet>
 #include <QStringList>
-#include <QThreadPool>
-#include <QTimer>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "app/files/file_reader.h"
 #include "app/files/mesh_export.h"
+#include "app/files/work_keeper.h"
 #include "app/start/start_page.h"
 #include "app/studio/studio.h"
-#include "app/views/offscreen_pictures.h"
-#include "croquis/geometry/camera.h"
-#include "croquis/geometry/joined_meshes.h"
 #include "croquis/io/project_lock.h"
-#include "croquis/io/recovery.h"
 #include "croquis/workspace/read_findings.h"
 
 namespace croquis::app {
 
-/// Which meshes go into a file.
-struct MeshExport {
-  enum class Objects { Picked, Visible, All };  ///< Picked: the active one where none is
-
-  Objects objects = Objects::Picked;
-  std::string unit = {};  ///< "mm", "cm", "m" or "in" that lengths of the file have; empty: those of the document
-};
-
-/// Everything between the studio and files: projects, sketches, exports, recent files, and the working copy that
-/// survives a crash. Asks nothing and shows nothing; failures are thrown as Error.
+/// Everything between the studio and the files that are open: projects, sketches, recent files, and what a crash left
+/// behind. Asks nothing and shows nothing; failures are thrown as Error.
 class ProjectFiles : public QObject {
   Q_OBJECT
 
  public:
   /// @param state_folder where working copies lie
   ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QString& state_folder);
-  ~ProjectFiles() override;
 
   /// Of the project that is open; empty for one that was never saved.
   const QString& path() const { return path_; }
@@ -76,9 +59,6 @@ class ProjectFiles : public QObject {
   /// SVG files that don't say what they are are read as what is being worked on: a sketch, or a drawing in perspective.
   void begin_open(const QString& path, bool replaces = false, PictureUse use = PictureUse::Backdrop);
 
-  /// The same, and waits, keeping the window alive. @throws Error, Cancelled
-  void open(const QString& path, bool replaces = false, PictureUse use = PictureUse::Backdrop);
-
   /// The mesh that was opened last took the place of what was open.
   bool has_replaced() const { return has_replaced_; }
 
@@ -89,92 +69,36 @@ class ProjectFiles : public QObject {
   FileReader& reader() { return reader_; }
   const FileReader& reader() const { return reader_; }
 
-  /// Where pictures of what is shown come from: items made ready anyway.
-  void set_items(std::function<std::vector<render::Shown<render::MeshItem>>()> items) { items_ = std::move(items); }
+  /// What keeps the working copy.
+  WorkKeeper& keeper() { return keeper_; }
 
   /// Keeps up to three older versions beside the file; a damaged one under a name of its own.
   /// @return where the damaged one is now, or nothing
   QString save(const QString& path);
 
-  /// The surfaces of these objects as they are shown, where they stand, by their names.
-  /// @throws Error (E_EMPTY) where one isn't finished, or there is none
-  std::vector<NamedMesh> meshes_of(const MeshExport& wanted) const;
-
-  /// These surfaces as one mesh; a single one that stays as it is is that mesh itself.
-  std::shared_ptr<const PolyMesh> exported_mesh(const MeshExport& wanted) const;
-
-  /// By how much coordinates are multiplied on the way out, for the unit.
-  double export_scale(const MeshExport& wanted) const;
-
-  /// These surfaces as one file, in the format of the name's extension.
-  /// @return what the format can't hold
-  Findings export_solid(const QString& path, const MeshExport& wanted = {}) const;
-
-  /// The operations whose results are files of their own and stand in no view.
-  std::vector<const OperationDescription*> exports() const;
-
-  /// What one of these makes of a value of the active object's chain: its attribute network, say.
-  /// @return what the operation warns of
-  Findings export_result(const OperationDescription& operation, const QString& path) const;
-
-  /// Whether there is such a value, computed to the end.
-  bool can_export(const OperationDescription& operation) const;
-
-  /// The active object's faces as they are, of solids made from a drawing in perspective; null while it isn't finished,
-  /// and of other objects.
-  std::shared_ptr<const Brep> exact_solid() const;
-
-  /// Begins to write it as STEP, in the drawing's unit; step_export() tells the end.
-  /// @throws Error (E_EMPTY) without one
-  void export_step(const QString& path);
+  /// What writes STEP files.
   StepExport& step_export() { return step_export_; }
   const StepExport& step_export() const { return step_export_; }
-
-  /// The drawing as SVG.
-  void export_drawing(const QString& path) const;
-
-  QStringList recent() const;
 
   /// Work that a crash left behind.
   std::vector<RecoveryOffer> recoverable() const;
   void recover(const RecoveryOffer& offer);
-  void discard(const RecoveryOffer& offer);
-
-  /// Discards all of it. What can't be removed stays in the list.
-  void discard_all();
-
-  /// The program ends normally: nothing to recover.
-  void close_cleanly();
-
-  /// The working copy is up to date when this returns.
-  void autosave_now();
 
  signals:
   void path_changed(const QString& path);
   void opened(const QString& path, const croquis::Findings& warnings);
   void open_failed(const QString& path, const croquis::Findings& findings);
 
-  /// The working copy can't be written; the work in the window is whole.
-  void autosave_failed(const QString& sentence);
-
  private:
-  std::optional<Camera> camera_of(const WorkObject& object) const;
   void take(const ReadFile& file);
   void take_project(const QString& path, const Document& document, const KeptResults& kept);
   void note_damage(const QString& path, const Findings& findings);
-  void follow_session();
-  void forget_work();
-  void autosave();
-  std::vector<render::Shown<render::MeshItem>> shown_items() const;
   void set_path(const QString& path);
-  void remember(const QString& path);
-  std::vector<std::uint8_t> thumbnail_of(const std::vector<render::Shown<render::MeshItem>>& items) const;
 
   Studio& studio_;
   FileReader reader_;
   StepExport step_export_;
-  OffscreenPictures& pictures_;
-  std::function<std::vector<render::Shown<render::MeshItem>>()> items_;
+  WorkKeeper keeper_;
   QString state_folder_;
   QString path_;
   std::pair<QDateTime, qint64> known_file_;  ///< time and size of the project's file when it was read or written here
@@ -185,14 +109,15 @@ class ProjectFiles : public QObject {
   bool has_replaced_ = false;
   bool has_traced_ = false;
   QSet<QString> damaged_;  ///< projects found so, by whole path
-  bool touched_ = false;   ///< what is open was worked on since it was opened or saved
-  QTimer autosave_timer_;
-  QElapsedTimer since_thumbnail_;
-  KeptResults autosaved_results_;
-  Document autosaved_;
-  bool has_thumbnail_ = false;                 ///< the working copy shows its solid
-  std::unique_ptr<WorkingCopy> working_copy_;  ///< the disk's thread's while that one is busy
-  QThreadPool disk_;  ///< one thread: commits wait for the disk, and pictures; the window doesn't
 };
+
+/// Opens a file as ProjectFiles::begin_open does, and waits, keeping the window alive. @throws Error, Cancelled
+void open_now(ProjectFiles& files, const QString& path, bool replaces = false, PictureUse use = PictureUse::Backdrop);
+
+/// Files that were opened or saved and are still there, the last one first.
+QStringList recent_files();
+
+/// Removes work that a crash left behind. @throws Error where it can't be removed: then it stays in the list
+void discard(const RecoveryOffer& offer);
 
 }  // namespace croquis::app

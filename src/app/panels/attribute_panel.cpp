@@ -276,7 +276,7 @@ void AttributePanel::show_node(const Node* node, const OperationDescription* des
   }
 }
 
-/// Lines that can't be read are told of in Findings.
+/// Lines that can't be read are named in Findings.
 void AttributePanel::show_edits(const std::string& lines) {
   if (std::exchange(shown_edits_, lines) == lines) return;
   edits_->clear();

@@ -197,7 +197,7 @@ void ObjectList::add_object(const WorkObject& object, const Studio& studio) {
 }
 
 void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const Studio& studio) {
-  std::vector<ChainStep> steps = studio.steps_of(object);
+  std::vector<ChainStep> steps = steps_of(studio, object);
   std::ranges::reverse(steps);
   const Selection& selection = studio.session().selection();
   for (const ChainStep& step : steps) {

@@ -35,7 +35,7 @@ class NumberBox : public QDoubleSpinBox {
   int shown_decimals_;
 };
 
-/// A box for a number in a panel. It tells its value when the typing is done, not with every digit.
+/// A box for a number in a panel. It reports its value when the typing is done, not with every digit.
 /// @param parent owns it
 /// @param name   of the object, by which tests and recordings find it
 QDoubleSpinBox* make_number_box(QWidget* parent, const QString& name, const NumberRange& range);

@@ -47,23 +47,23 @@ void trigger(MainWindow& window, const recorded::Action& step) {
 void use_file(MainWindow& window, const recorded::File& step) {
   const QString file = QString::fromStdString(step.file);
   if (step.verb == "open") {
-    window.files().open(file, step.replaces, step.traces ? PictureUse::Lines : PictureUse::Backdrop);
+    open_now(window.files(), file, step.replaces, step.traces ? PictureUse::Lines : PictureUse::Backdrop);
   } else if (step.verb == "save") {
     window.files().save(file);
   } else if (file.endsWith(".png")) {
     window.export_picture(file);
   } else if (file.endsWith(".svg") || (file.endsWith(".json") && window.studio().network_node() != 0)) {
-    window.files().export_drawing(file);
+    export_drawing(window.studio(), file);
   } else if (file.endsWith(".json")) {
     window.wait_until_settled();
-    window.files().export_result(*window.files().exports().front(), file);
+    export_result(window.studio(), *result_exports(window.studio()).front(), file);
   } else if (is_step_path(step.file)) {
     window.wait_until_settled();
-    window.files().export_step(file);
+    export_step(window.studio(), file, window.files().step_export());
     window.wait_until_settled();
   } else {
     window.wait_until_settled();
-    window.files().export_solid(file, mesh_export_of(step));
+    export_solid(window.studio(), file, mesh_export_of(step));
   }
 }
 
@@ -130,7 +130,7 @@ void add_steps(MainWindow& window, Replays& all) {
     std::vector<PlacedObject> placed;
     for (std::size_t i = 0; i < step.nodes.size(); ++i)
       placed.push_back({object_named(studio, step.nodes[i]).node, step.places[i]});
-    studio.place_objects(placed);
+    place_objects(studio, placed);
   });
 }
 
@@ -142,7 +142,7 @@ Replays replays_of(MainWindow& window) {
   Studio& studio = window.studio();
   add_steps(window, all);
   counts["objects"] = [&studio](const std::string&) { return count_visible(studio); };
-  counts["findings"] = [&studio](const std::string&) { return studio.findings().size(); };
+  counts["findings"] = [&studio](const std::string&) { return findings_of(studio).size(); };
   counts["selected"] = [&studio](const std::string&) { return studio.session().components().elements.size(); };
   const auto of_mesh = [&studio](auto count) {
     return [&studio, count](const std::string& node) { return count(*object_named(studio, node).shown()); };

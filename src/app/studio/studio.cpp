@@ -4,7 +4,6 @@
 #include <QMetaObject>
 #include <QThreadPool>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <malloc.h>
@@ -12,7 +11,6 @@
 #include "croquis/base/error.h"
 #include "croquis/operators/all_operations.h"
 #include "croquis/operators/attach_text.h"
-#include "croquis/tools/backdrop/backdrop_editor.h"
 #include "croquis/workspace/chain.h"
 
 #ifdef __GLIBC__
@@ -28,7 +26,6 @@ std::string name_of(std::int32_t patch, const std::vector<Index>& holes) {
   return name;
 }
 
-constexpr double first_opacity = 0.7;       // of a picture: strokes over it are seen well
 constexpr std::int64_t shown_samples = 32;  // of curves of a network: dents of points look round
 
 /// A tool's options, for drawings that this operation goes on from.
@@ -176,17 +173,12 @@ NodeId Studio::solid_node() const {
   return made.empty() || drawing_node() == 0 ? 0 : made.front()->id;
 }
 
-const OperationDescription* Studio::solid_description() const {
-  const Node* node = solid_operation();
-  return node == nullptr ? nullptr : description(node->operation);
-}
-
 std::shared_ptr<const Evaluation> Studio::result() const { return solid_node() == 0 ? nullptr : result(solid_node()); }
 
-std::shared_ptr<const PolyMesh> Studio::solid() const { return mesh_at(solid_node()); }
+std::shared_ptr<const PolyMesh> Studio::solid() const { return mesh_at(*this, solid_node()); }
 
 SketchToolOptions Studio::tool_options() const {
-  SketchToolOptions options = options_for<SketchToolOptions>(*first_operation_on(ValueType::Drawing));
+  SketchToolOptions options = options_for<SketchToolOptions>(*first_operation_on(registry(), ValueType::Drawing));
   options.follow_removal = without_lost_pairs;
   return options;
 }
@@ -201,13 +193,8 @@ std::string Studio::unit() const {
   return {};
 }
 
-ParameterValues Studio::first_parameters(const std::string& operation) const {
-  const SketchToolOptions sketches = tool_options();
-  return operation == sketches.operation ? sketches.parameters : ParameterValues();
-}
-
 PerspectiveToolOptions Studio::sheet_options() const {
-  return options_for<PerspectiveToolOptions>(*first_operation_on(ValueType::PerspectiveDrawing));
+  return options_for<PerspectiveToolOptions>(*first_operation_on(registry(), ValueType::PerspectiveDrawing));
 }
 
 SurfaceToolOptions Studio::network_options() const {
@@ -227,103 +214,5 @@ Document Studio::with_network(const Document& document, AttributeNetwork network
 
 /// A sketch stays the one worked on while objects are chosen that come from none.
 void Studio::follow_sketch() { sketch_ = drawing_node(); }
-
-void Studio::start_with(Drawing drawing) {
-  load(add_drawing(Document(), std::make_shared<const Drawing>(std::move(drawing)), tool_options()));
-}
-
-void Studio::start_with(PerspectiveDrawing drawing, const std::string& name) {
-  PerspectiveToolOptions options = sheet_options();
-  if (!name.empty()) options.name = name;
-  load(add_perspective_drawing(Document(), std::move(drawing), options));
-}
-
-void Studio::start_with(AttributeNetwork network, const std::string& name) {
-  SurfaceToolOptions options = network_options();
-  if (!name.empty()) options.name = name;
-  load(with_network(Document(), std::move(network), options));
-}
-
-void Studio::start_with(const std::string& name, Value value, const std::string& operation) {
-  Node source;
-  source.name = name;
-  source.source = std::move(value);
-  const Document document = Document().with(std::move(source));
-  load(with_step(document, registry(), document.nodes().front()->id, operation).document);
-}
-
-void Studio::add_picture(std::shared_ptr<const PictureFile> picture) {
-  Document document = session().document();
-  const bool is_empty = document.nodes().empty();
-  const bool is_first = is_empty && !begun_;
-  NodeId drawing = shown_drawing();
-  if (drawing == 0) {
-    drawing = document.next_id();
-    PerspectiveToolOptions options = sheet_options();
-    options.name = free_name(document, options.name);
-    document = is_empty && begun_ ? add_drawing(document, std::make_shared<const Drawing>(), tool_options())
-                                  : add_perspective_drawing(document, empty_sheet(sheet_for(*picture)), options);
-  }
-  const auto sheet = source_of<PerspectiveDrawing>(document.find(drawing));
-  if (sheet && sheet->strokes.empty()) {
-    Node resized = *document.find(drawing);
-    PerspectiveDrawing fitting = *sheet;
-    fitting.image_size = sheet_for(*picture);
-    resized.source = std::make_shared<const PerspectiveDrawing>(std::move(fitting));
-    document = document.with(std::move(resized));
-  }
-  const Node& node = *document.find(drawing);
-  const bool replaces = node.backdrop && !(sheet && sheet->strokes.empty());
-  Backdrop backdrop = fitted(std::move(picture), replaces ? area_of(*node.backdrop) : backdrop_area(node));
-  backdrop.opacity = node.backdrop ? node.backdrop->opacity : first_opacity;
-  document = with_backdrop(document, drawing, backdrop);
-  if (is_first) return load(std::move(document));
-  session().edit("Add picture", std::move(document));
-  session().select({{drawing, ""}});
-}
-
-void Studio::add_traced(std::shared_ptr<const Drawing> drawing) {
-  Document document = session().document();
-  const bool is_first = document.nodes().empty() && !begun_;
-  NodeId node = drawing_node();
-  const auto sketch = source_of<Drawing>(document.find(node));
-  if (sheet_node() == 0 && sketch && sketch->strokes.empty()) {
-    Node filled = *document.find(node);
-    filled.source = std::move(drawing);
-    document = document.with(std::move(filled));
-  } else {
-    node = document.next_id();
-    SketchToolOptions options = tool_options();
-    options.name = free_name(document, options.name);
-    document = add_drawing(document, std::move(drawing), options);
-  }
-  if (is_first) return load(std::move(document));
-  session().edit("Trace picture", std::move(document));
-  session().select({{node, ""}});
-}
-
-void Studio::state_camera(const Camera& camera) {
-  Document document = session().document();
-  NodeId drawing = sheet_node();
-  const bool is_first = drawing == 0 && document.nodes().empty();
-  if (drawing == 0) {
-    drawing = document.next_id();
-    PerspectiveToolOptions options = sheet_options();
-    options.name = free_name(document, options.name);
-    document = add_perspective_drawing(document, empty_sheet(camera.image_size), options);
-  }
-  Node edited = *document.find(drawing);
-  PerspectiveDrawing stated = *source_of<PerspectiveDrawing>(&edited);
-  const Vec2 share = stated.image_size.cwiseQuotient(camera.image_size);
-  stated.field_of_view = 2 * std::atan(camera.image_size.x() / (2 * camera.focal_length));
-  stated.principal_point = stated.origin + share.cwiseProduct(camera.principal_point - camera.image_origin);
-  edited.source = std::make_shared<const PerspectiveDrawing>(std::move(stated));
-  document = document.with(std::move(edited));
-  if (is_first) return load(std::move(document));
-  session().edit("State the camera", std::move(document));
-  session().select({{drawing, ""}});
-}
-
-void Studio::start_empty() { load(Document()); }
 
 }  // namespace croquis::app

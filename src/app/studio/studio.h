@@ -14,9 +14,11 @@
 #include "croquis/tools/perspective/perspective_tool.h"
 #include "croquis/tools/silhouette/sketch_tool.h"
 #include "croquis/tools/surface/surface_tool.h"
+#include "croquis/workspace/computed.h"
+#include "croquis/workspace/object_commands.h"
 #include "croquis/workspace/object_names.h"
+#include "croquis/workspace/step_commands.h"
 #include "croquis/workspace/work_object.h"
-#include "croquis/workspace/workspace.h"
 
 namespace croquis::app {
 
@@ -80,7 +82,6 @@ class Studio : public QObject, public Workspace {
   NodeId shown_drawing() const { return sheet_node() != 0 ? sheet_node() : drawing_node(); }
   NodeId solid_node() const;  ///< 0 when there is none
   const Node* solid_operation() const { return session().document().find(solid_node()); }
-  const OperationDescription* solid_description() const;
 
   /// Of the solid node: the newest result there is, stale while the next one is computed. Null before the first one.
   std::shared_ptr<const Evaluation> result() const;
@@ -95,35 +96,11 @@ class Studio : public QObject, public Workspace {
   /// The unit of lengths that the first drawing or network of the document names that names one: "mm"; else empty.
   std::string unit() const;
 
-  /// The parameters that a new step of an operation starts with; those not named have the operation's own defaults.
-  ParameterValues first_parameters(const std::string& operation) const;
-
   /// The document with a network and its surfaces. Networks have z upwards; what is made of them stands upright.
   Document with_network(const Document& document, AttributeNetwork network, const SurfaceToolOptions& options) const;
 
-  /// Replaces the document by one drawing and the solid made of it; forgets the history.
-  void start_with(Drawing drawing);  ///< of exact lines; its parts are held as it suggests
-  void start_with(PerspectiveDrawing drawing, const std::string& name = {});
-  void start_with(AttributeNetwork network, const std::string& name = {});
-  void start_empty();
-
-  /// Replaces the document by a value with one step after it; forgets the history.
-  void start_with(const std::string& name, Value value, const std::string& operation);
-
-  /// Puts a picture behind the drawing that is shown; a sheet without strokes becomes as large as the picture. Where no
-  /// drawing is shown, one begins: a sketch where one was about to be drawn, else a drawing in perspective.
-  void add_picture(std::shared_ptr<const PictureFile> picture);
-
-  /// Adds a drawing of a picture's lines with the solid made of it; it takes the place of a sketch without strokes.
-  void add_traced(std::shared_ptr<const Drawing> drawing);
-
-  /// States the camera of the sheet that is shown: its field of view and principal point. Without a sheet, an empty
-  /// one of the camera's picture begins.
-  void state_camera(const Camera& camera);
-
-  NodeId add_mesh(const std::string& name, std::shared_ptr<const PolyMesh> mesh) {
-    return add_source(name, std::move(mesh));
-  }
+  /// Some document was begun or opened.
+  bool begun() const { return begun_; }
 
  signals:
   void loaded();          ///< another document
@@ -137,8 +114,8 @@ class Studio : public QObject, public Workspace {
   void follow_sketch();
 
   FaceSets face_sets_;
-  NodeId sketch_ = 0;   ///< that was worked on last
-  bool begun_ = false;  ///< some document was begun or opened
+  NodeId sketch_ = 0;  ///< that was worked on last
+  bool begun_ = false;
 };
 
 }  // namespace croquis::app

@@ -36,7 +36,7 @@ bool InkSheet::fits(const ViewPane& pane) const {
   return drawn_ && drawn_->pane.rect == pane.rect && drawn_->pane.camera == pane.camera;
 }
 
-render::Viewport InkSheet::part_of(const std::vector<StrokeSample>& ink, const render::Viewport& whole) const {
+render::PixelRect InkSheet::part_of(const std::vector<StrokeSample>& ink, const render::PixelRect& whole) const {
   const SketchFrame frame = drawn_->pane.sketch_frame();
   const double ratio = drawn_->options.pixel_ratio;
   const Vec2 size(whole.width, whole.height);
@@ -51,7 +51,7 @@ render::Viewport InkSheet::part_of(const std::vector<StrokeSample>& ink, const r
   }
   low = low.array().floor().matrix().cwiseMax(Vec2::Zero());
   high = high.array().ceil().matrix().cwiseMin(size);
-  render::Viewport part;
+  render::PixelRect part;
   const auto left = static_cast<int>(low.x());
   const auto bottom = static_cast<int>(low.y());
   part.x = whole.x + left;
@@ -63,9 +63,9 @@ render::Viewport InkSheet::part_of(const std::vector<StrokeSample>& ink, const r
 }
 
 void InkSheet::draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink, bool pale,
-                            const render::Viewport& whole) {
+                            const render::PixelRect& whole) {
   if (ink.size() <= inked_) return;
-  const render::Viewport part = part_of(ink, whole);
+  const render::PixelRect part = part_of(ink, whole);
   inked_ = ink.size();
   if (part.width <= 0 || part.height <= 0) return;  // drawn outside of the view
   render::Scene scene = drawn_->scene;

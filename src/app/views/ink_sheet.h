@@ -34,7 +34,7 @@ class InkSheet {
   /// Draws the part of the ink that isn't there yet. Only after `keep`, with the renderer that drew it.
   /// @param whole the pane's place in the framebuffer
   void draw_new_ink(render::Renderer& renderer, const std::vector<StrokeSample>& ink, bool pale,
-                    const render::Viewport& whole);
+                    const render::PixelRect& whole);
 
   /// Samples of the ink that have been drawn.
   std::size_t inked() const { return inked_; }
@@ -46,7 +46,7 @@ class InkSheet {
     ViewPane pane;
   };
 
-  render::Viewport part_of(const std::vector<StrokeSample>& ink, const render::Viewport& whole) const;
+  render::PixelRect part_of(const std::vector<StrokeSample>& ink, const render::PixelRect& whole) const;
 
   std::optional<Drawn> drawn_;
   std::size_t inked_ = 0;

@@ -8,7 +8,7 @@
 
 namespace croquis::app {
 
-/// A card over the views that tells what colours mean, a row for each. Lets the pointer through.
+/// A card over the views that shows what colours mean, a row for each. Lets the pointer through.
 class Legend : public QWidget {
  public:
   static constexpr int row_height = 16;
@@ -18,7 +18,7 @@ class Legend : public QWidget {
     std::function<void(QPainter& painter, int y)> draw;  ///< left of the label; y is the row's top
   };
 
-  /// @param meaning what it tells, for people who don't see it
+  /// @param meaning what it shows, for people who don't see it
   /// @param rows from above
   Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, std::vector<Row> rows);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double crease_cosine = 0.5;  // as render::MeshItemOptions has it
 const render::Color preview_color(96, 160, 235, 255);
-const render::Color told_color(198, 219, 214, 255);
+const render::Color labelled_color(198, 219, 214, 255);
 
 const std::vector<std::int32_t>* patch_ids(const PolyMesh& mesh) {
   const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
@@ -121,12 +121,12 @@ bool begins_with(const PolyMesh& filled, const PolyMesh& scan, std::size_t patch
 }
 
 /// None for faces that aren't of patches: they are drawn as without this channel.
-AttributeChannel told_faces(const std::vector<std::int32_t>& ids) {
+AttributeChannel face_colors_by_id(const std::vector<std::int32_t>& ids) {
   AttributeChannel channel{"color", Domain::Face, 3, std::vector<float>(), {}};
   auto& values = std::get<std::vector<float>>(channel.data);
   values.reserve(3 * ids.size());
   for (const std::int32_t id : ids) {
-    for (const std::uint8_t level : {told_color.r, told_color.g, told_color.b}) {
+    for (const std::uint8_t level : {labelled_color.r, labelled_color.g, labelled_color.b}) {
       values.push_back(id < 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(level) / 255.0F);
     }
   }
@@ -136,9 +136,9 @@ AttributeChannel told_faces(const std::vector<std::int32_t>& ids) {
 void paint(PolyMesh& mesh, PatchLook look) {
   if (look == PatchLook::Preview) std::erase_if(mesh.channels, [](const auto& c) { return c.name == "color"; });
   if (mesh.channel("color", Domain::Vertex) != nullptr) return;
-  const render::Color color = look == PatchLook::Preview ? preview_color
-                              : look == PatchLook::Told  ? told_color
-                                                         : render::palette_color(0);
+  const render::Color color = look == PatchLook::Preview    ? preview_color
+                              : look == PatchLook::Distinct ? labelled_color
+                                                            : render::palette_color(0);
   AttributeChannel channel{"color", Domain::Vertex, 3, std::vector<std::uint8_t>(), {}};
   auto& values = std::get<std::vector<std::uint8_t>>(channel.data);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) values.insert(values.end(), {color.r, color.g, color.b});
@@ -182,7 +182,7 @@ std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMe
                                    [](const AttributeChannel& channel) { return channel.name == "color"; });
   if (has_own) return filled;
   auto mesh = std::make_shared<PolyMesh>(*filled);
-  mesh->channels.push_back(told_faces(*ids));
+  mesh->channels.push_back(face_colors_by_id(*ids));
   return mesh;
 }
 

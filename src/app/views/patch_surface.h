@@ -14,7 +14,7 @@ namespace croquis::app {
 enum class PatchLook {
   Plain,      ///< as the rest of the surface
   Preview,    ///< distinct from all that is there
-  Told,       ///< slightly distinct from the rest, as long as holes are worked on
+  Distinct,   ///< slightly distinct from the rest, as long as holes are worked on
   Confidence  ///< by their confidence
 };
 

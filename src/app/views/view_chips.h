@@ -38,7 +38,7 @@ class ChipPlaces {
 
   const PaneLayout& layout() const { return layout_; }
 
-  /// The view that tells of the whole scene: the one alone, else the perspective view.
+  /// The view that stands for the whole scene: the one alone, else the perspective view.
   const ViewPane& scene_pane() const;
 
   /// Shows the chip at the free place nearest to the wanted one, within bounds of the views' widget.

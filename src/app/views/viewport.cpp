@@ -382,7 +382,7 @@ void Viewport::draw_views() {
     fine = fine || (drew && state.fine);
   }
   if (uploading_) update();
-  // The graphics card, or who does its work, begins long after it was told what to do.
+  // The graphics card, or who does its work, begins long after the calls that describe the picture.
   if (fine) QOpenGLContext::currentContext()->functions()->glFinish();
   if (fine) affordable_ = static_cast<double>(watch.elapsed()) < affordable_ms;
   place_chips();
@@ -427,10 +427,10 @@ render::RenderOptions Viewport::options_of(int view, bool fine) const {
   return options;
 }
 
-render::Viewport Viewport::place_of(const ViewPane& pane) const {
+render::PixelRect Viewport::place_of(const ViewPane& pane) const {
   const double ratio = devicePixelRatioF();
   const auto pixels = [ratio](double length) { return static_cast<int>(std::lround(length * ratio)); };
-  render::Viewport target;
+  render::PixelRect target;
   target.x = pixels(pane.rect.left());
   target.y = pixels(height() - pane.rect.bottom());
   target.width = pixels(pane.rect.width());

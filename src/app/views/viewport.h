@@ -221,7 +221,7 @@ class Viewport : public QOpenGLWidget {
   bool draw_ink();
   void draw_views();
   bool draw_view(int view);
-  render::Viewport place_of(const ViewPane& pane) const;
+  render::PixelRect place_of(const ViewPane& pane) const;
   render::Scene scene_of(int view);
   render::RenderOptions options_of(int view, bool fine) const;
   void place_chips();

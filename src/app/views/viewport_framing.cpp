@@ -60,7 +60,7 @@ void Viewport::frame_selection_in(int view) {
 /// Of the objects that are selected as wholes.
 render::Bounds Viewport::picked_bounds() const {
   render::Bounds bounds;
-  for (const NodeId node : studio_.picked()) {
+  for (const NodeId node : picked(studio_)) {
     const WorkObject& object = *studio_.object(node);
     const Affine3 to_model = object.placement.map();
     for (const Vec3& own : object.shown() ? object.shown()->positions : std::vector<Vec3>()) {

@@ -288,7 +288,7 @@ QString Viewport::help_topic() const {
 }
 
 QString Viewport::help() const {
-  for (const NodeFinding& found : ink() ? std::vector<NodeFinding>() : studio_.findings()) {
+  for (const NodeFinding& found : ink() ? std::vector<NodeFinding>() : findings_of(studio_)) {
     if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
   }
   if (navigation_.alt_swallowed()) {

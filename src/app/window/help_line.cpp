@@ -91,7 +91,7 @@ void HelpLine::show_status(const QString& text) {
   fit();
 }
 
-void HelpLine::tell(const QString& sentence, Tone tone, const QString& more) {
+void HelpLine::say(const QString& sentence, Tone tone, const QString& more) {
   folder_->hide();
   message_->show_text(sentence, more);
   QPalette colors = palette();
@@ -100,8 +100,8 @@ void HelpLine::tell(const QString& sentence, Tone tone, const QString& more) {
   fit();
 }
 
-void HelpLine::tell_written(const QString& path, const QString& sentence, Tone tone) {
-  tell(sentence, tone, sentence);
+void HelpLine::say_written(const QString& path, const QString& sentence, Tone tone) {
+  say(sentence, tone, sentence);
   folder_path_ = QFileInfo(path).absolutePath();
   folder_->setToolTip(folder_path_);
   folder_->show();
@@ -115,13 +115,13 @@ void HelpLine::resizeEvent(QResizeEvent* event) {
 
 void HelpLine::fit() {
   const auto width_of = [](const QLabel* label) { return label->sizeHint().width(); };
-  const bool told = !message_->text().isEmpty();
+  const bool has_message = !message_->text().isEmpty();
   const int button = folder_->isHidden() ? 0 : words_gap + folder_->sizeHint().width();
-  const int message = told ? width_of(message_) + button : 0;
-  const bool helps = !told || width_of(help_) + words_gap + message <= width();
+  const int message = has_message ? width_of(message_) + button : 0;
+  const bool helps = !has_message || width_of(help_) + words_gap + message <= width();
   help_->setVisible(helps);
-  message_->setVisible(told);
-  const int room = width() - (helps ? width_of(help_) + words_gap : 0) - (told ? message + words_gap : 0);
+  message_->setVisible(has_message);
+  const int room = width() - (helps ? width_of(help_) + words_gap : 0) - (has_message ? message + words_gap : 0);
   status_->setMaximumWidth(std::max(room, least_status));
   status_->setVisible(!status_->text().isEmpty() && room >= least_status);
 }

@@ -46,11 +46,11 @@ class HelpLine : public QWidget {
   void show_help(const QString& text);
 
   /// Stays until `clear`. @param more shown when the pointer rests on it, where the sentence isn't all
-  void tell(const QString& sentence, Tone tone = Tone::Plain, const QString& more = {});
+  void say(const QString& sentence, Tone tone = Tone::Plain, const QString& more = {});
 
   /// The same about a file that was written, with a button that opens its folder.
-  void tell_written(const QString& path, const QString& sentence, Tone tone = Tone::Plain);
-  void clear() { tell({}); }
+  void say_written(const QString& path, const QString& sentence, Tone tone = Tone::Plain);
+  void clear() { say({}); }
 
   void show_status(const QString& text);
 

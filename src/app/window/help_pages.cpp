@@ -138,7 +138,7 @@ QString MainWindow::diagnostics() {
                  .arg(mesh ? mesh->vertex_count() : 0)
                  .arg(mesh ? mesh->face_count() : 0);
   }
-  for (const NodeFinding& found : studio_.findings()) lines << "- " + QString::fromStdString(found.finding.code);
+  for (const NodeFinding& found : findings_of(studio_)) lines << "- " + QString::fromStdString(found.finding.code);
   return lines.join('\n') + '\n';
 }
 

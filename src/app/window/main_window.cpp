@@ -93,10 +93,10 @@ void MainWindow::connect_studio() {
 
 void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
-  connect(&files_, &ProjectFiles::autosave_failed, this, &MainWindow::tell);
+  connect(&files_.keeper(), &WorkKeeper::failed, this, &MainWindow::tell);
   connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
   connect(&files_.step_export(), &StepExport::busy_changed, this, &MainWindow::show_progress);
-  connect(&files_.step_export(), &StepExport::finished, this, [this](const QString& path) { tell_written(path); });
+  connect(&files_.step_export(), &StepExport::finished, this, [this](const QString& path) { say_written(path); });
   connect(&files_.step_export(), &StepExport::failed, this, [this](const Findings& findings) {
     if (findings.empty()) return tell(tr("Cancelled."));
     last_findings_ = findings;
@@ -116,7 +116,7 @@ void MainWindow::connect_files() {
     if (findings.empty()) return tell(tr("Cancelled."));
     report_opening(path, findings);
   });
-  files_.set_items([this] { return viewport_->objects().surfaces(); });
+  files_.keeper().set_items([this] { return viewport_->objects().surfaces(); });
 }
 
 void MainWindow::connect_start_page() {
@@ -141,11 +141,13 @@ void MainWindow::connect_start_page() {
   });
   connect(start_page_, &StartPage::back_wanted, this, &MainWindow::leave_start_page);
   connect(start_page_, &StartPage::discard_all_wanted, this, [this] {
-    attempt([&] { files_.discard_all(); });
+    attempt([&] {
+      for (const RecoveryOffer& each : files_.recoverable()) discard(each);
+    });
     start_page_->show_recoverable(files_.recoverable());
   });
   connect(start_page_, &StartPage::discard_wanted, this, [this](const RecoveryOffer& offer) {
-    attempt([&] { files_.discard(offer); });
+    attempt([&] { discard(offer); });
     start_page_->show_recoverable(files_.recoverable());
   });
   connect(thumbnails_, &GalleryThumbnails::finished, start_page_, &StartPage::set_thumbnail);
@@ -261,7 +263,7 @@ void MainWindow::show_message(const Findings& findings, const QString& path) {
   const bool error = std::ranges::any_of(findings, &is_error);
   const QStringList all = sentences_of(findings, path);
   const QString more = all.size() > 1 ? tr(" And %1 more: see the panel Findings.").arg(all.size() - 1) : QString();
-  help_->tell(all.value(0) + more, error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all.join('\n'));
+  help_->say(all.value(0) + more, error ? HelpLine::Tone::Error : HelpLine::Tone::Warning, all.join('\n'));
 }
 
 /// All findings about a file are shown; what a damaged project lost, and where earlier versions are, in full.
@@ -305,7 +307,7 @@ bool MainWindow::start_with(Document document) {
 bool MainWindow::open(const QString& path) {
   if (FileReader::replaces_document(path) && !may_discard()) return false;
   try {
-    files_.open(path);
+    open_now(files_, path);
   } catch (const Error&) {
     return false;  // reported when reading failed
   } catch (const Cancelled&) {
@@ -333,7 +335,7 @@ void MainWindow::export_picture(const QString& path) { viewport_->export_picture
 
 bool MainWindow::settled() const {
   if (files_.reader().busy() || files_.step_export().busy()) return false;
-  return shows_start_page() ? !thumbnails_->busy() : studio_.settled() && viewport_->settled();
+  return shows_start_page() ? !thumbnails_->busy() : !studio_.busy() && viewport_->settled();
 }
 
 bool MainWindow::shows_start_page() const { return pages_->currentWidget() == start_page_; }
@@ -341,7 +343,7 @@ bool MainWindow::shows_start_page() const { return pages_->currentWidget() == st
 void MainWindow::show_start_page() {
   if (shows_start_page() && has_shown_views_) return leave_start_page();
   if (has_shown_views_) views_layout_ = saveState();
-  start_page_->show_recent(files_.recent());
+  start_page_->show_recent(recent_files());
   start_page_->show_recoverable(files_.recoverable());
   start_page_->offer_back(has_shown_views_ ? files_.file_name() : QString(), has_shown_views_);
   thumbnails_->start();
@@ -420,7 +422,7 @@ void MainWindow::reset_layout() {
 
 /// The current tool is always one that works on what is open.
 void MainWindow::hold_usable_tool() {
-  if (viewport_->mode() != select_mode && !studio_.has_cage()) set_mode(first_mode);
+  if (viewport_->mode() != select_mode && !has_cage(studio_)) set_mode(first_mode);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -429,7 +431,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   keep_window_layout();
-  files_.close_cleanly();
+  files_.keeper().close_cleanly();
   event->accept();
 }
 

@@ -191,7 +191,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   void ask_export_step();
   void ask_export_picture();
   void ask_export_drawing();
-  void tell_written(const QString& path, const Findings& lost = {}, const QString& summary = {});
+  void say_written(const QString& path, const Findings& lost = {}, const QString& summary = {});
   void select_all();
   void delete_selection();
   void select_none();

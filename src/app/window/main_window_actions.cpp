@@ -117,7 +117,7 @@ void MainWindow::make_file_actions() {
   actions_->add(menu, "export-picture", tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
                 [this] { ask_export_picture(); });
   actions_->add(menu, "export-drawing", tr("Export &drawing…"), {}, [this] { ask_export_drawing(); });
-  for (const OperationDescription* operation : files_.exports()) {
+  for (const OperationDescription* operation : result_exports(studio_)) {
     const QString title = QString::fromStdString(operation->title);
     actions_->add(menu, export_action(*operation), tr("Export %1…").arg(title.toLower()), {},
                   [this, operation] { ask_export_result(*operation); });
@@ -182,7 +182,7 @@ void MainWindow::delete_selection() {
     if ((*tool)->command(EditCommand::Delete)) return;
   }
   record(recorded::Action{"delete"});
-  studio_.remove_objects(studio_.picked());
+  remove_objects(studio_, picked(studio_));
 }
 
 void MainWindow::select_none() {
@@ -365,7 +365,7 @@ bool MainWindow::may_discard() {
 void MainWindow::ask_export_meshes(MeshExport::Objects objects) {
   // Of the formats, PLY alone keeps which faces are patches, and how far to trust them.
   const WorkObject* object = studio_.active();
-  const bool alone = objects == MeshExport::Objects::Picked && studio_.picked_or_active().size() == 1;
+  const bool alone = objects == MeshExport::Objects::Picked && picked_or_active(studio_).size() == 1;
   const bool is_filled =
       alone && object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
   const QString project = QFileInfo(files_.file_name()).completeBaseName();
@@ -381,13 +381,13 @@ void MainWindow::ask_export_meshes(MeshExport::Objects objects) {
     const auto check = checked_for_export(wanted);
     if (!check) return;
     const QString unit = QString::fromStdString(wanted.unit.empty() ? studio_.unit() : wanted.unit);
-    tell_written(path, files_.export_solid(path, wanted), summary_of(check->figures, unit));
+    say_written(path, export_solid(studio_, path, wanted), summary_of(check->figures, unit));
   });
 }
 
 /// Asks before a mesh is written that isn't closed or crosses itself; none: it isn't to be written.
 std::optional<ExportCheck> MainWindow::checked_for_export(const MeshExport& wanted) {
-  const std::shared_ptr<const PolyMesh> mesh = files_.exported_mesh(wanted);
+  const std::shared_ptr<const PolyMesh> mesh = exported_mesh(studio_, wanted);
   QProgressDialog waiting(tr("Looking at the mesh …"), tr("Cancel"), 0, 0, this);
   waiting.setWindowModality(Qt::WindowModal);
   std::atomic<bool> cancelled = false;
@@ -418,11 +418,11 @@ std::optional<ExportCheck> MainWindow::checked_for_export(const MeshExport& want
 void MainWindow::show_doubt(const ExportCheck& check, const MeshExport& wanted) {
   const WorkObject* object = studio_.active();
   const bool is_editable = object != nullptr && object->cage_mesh != nullptr && object->cage_mesh == object->shown();
-  if (is_editable && object->cage_mesh->corners == files_.exported_mesh(wanted)->corners)
+  if (is_editable && object->cage_mesh->corners == exported_mesh(studio_, wanted)->corners)
     return show_finding({object->node, *check.doubt});
   render::Bounds bounds;
   for (const Vec3& corner : {check.where.min(), check.where.max()}) {
-    const Vec3 place = corner / files_.export_scale(wanted);
+    const Vec3 place = corner / export_scale(studio_, wanted);
     bounds.add(to_glm(place));
   }
   viewport_->pane(PerspectiveView).frame(bounds);
@@ -440,13 +440,13 @@ QString MainWindow::asked_path(const QString& title, const QString& ending, cons
 void MainWindow::ask_export_result(const OperationDescription& operation) {
   const QString title = tr("Export %1").arg(QString::fromStdString(operation.title).toLower());
   const QString path = asked_path(title, ".json", tr("JSON (*.json)"));
-  if (!path.isEmpty()) attempt([&] { tell_written(path, files_.export_result(operation, path)); });
+  if (!path.isEmpty()) attempt([&] { say_written(path, export_result(studio_, operation, path)); });
 }
 
 void MainWindow::ask_export_step() {
   if (const std::string why = why_no_step(); !why.empty()) return tell(QString::fromStdString(why));
   const QString path = asked_path(tr("Export STEP"), ".step", tr("STEP (*.step *.stp)"));
-  if (!path.isEmpty()) attempt([&] { files_.export_step(path); });
+  if (!path.isEmpty()) attempt([&] { export_step(studio_, path, files_.step_export()); });
 }
 
 void MainWindow::ask_export_picture() {
@@ -454,7 +454,7 @@ void MainWindow::ask_export_picture() {
   if (path.isEmpty()) return;
   attempt([&] {
     export_picture(path);
-    tell_written(path);
+    say_written(path);
   });
 }
 
@@ -464,17 +464,17 @@ void MainWindow::ask_export_drawing() {
                                   network ? tr("Network of curves (*.json)") : tr("SVG (*.svg)"));
   if (path.isEmpty()) return;
   attempt([&] {
-    files_.export_drawing(path);
-    tell_written(path);
+    export_drawing(studio_, path);
+    say_written(path);
   });
 }
 
 /// What was written, and what the format can't hold.
-void MainWindow::tell_written(const QString& path, const Findings& lost, const QString& summary) {
+void MainWindow::say_written(const QString& path, const Findings& lost, const QString& summary) {
   folder_ = QFileInfo(path).absolutePath();
   const QString written = tr("Saved %1").arg(QFileInfo(path).fileName()) + (summary.isEmpty() ? "" : ": " + summary);
-  if (lost.empty()) return help_->tell_written(path, written);
-  help_->tell_written(path, written + ". " + QString::fromStdString(lost.front().message), HelpLine::Tone::Warning);
+  if (lost.empty()) return help_->say_written(path, written);
+  help_->say_written(path, written + ". " + QString::fromStdString(lost.front().message), HelpLine::Tone::Warning);
 }
 
 }  // namespace croquis::app

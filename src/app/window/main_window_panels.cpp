@@ -78,26 +78,26 @@ void MainWindow::connect_panels() {
     const WorkObject* object = studio_.object(node);
     if (object == nullptr) return;
     const recorded::Place step{{object->name}, {placement}};
-    if (attempt([&] { studio_.place_objects({{node, placement}}); })) record(step);
+    if (attempt([&] { place_objects(studio_, {{node, placement}}); })) record(step);
   });
   connect(objects_, &ObjectList::objects_chosen, this,
-          [this](const std::vector<NodeId>& nodes) { choose_nodes(studio_.with_groups(nodes)); });
+          [this](const std::vector<NodeId>& nodes) { choose_nodes(with_groups(studio_, nodes)); });
   connect(objects_, &ObjectList::step_chosen, this, &MainWindow::choose_step);
   connect(objects_, &ObjectList::parts_chosen, this, [this](NodeId node, const std::vector<std::string>& parts) {
     attempt([&] { std::ranges::any_of(tools_, [&](const auto& tool) { return tool->choose_parts(node, parts); }); });
   });
   connect(objects_, &ObjectList::step_enabled, this, [this](NodeId step, bool enabled) {
-    attempt([&] { studio_.enable_step(step, enabled); });
+    attempt([&] { enable_step(studio_, step, enabled); });
     update_panels();
   });
   connect(objects_, &ObjectList::menu_wanted, this,
           [this](NodeId, bool step, const QPoint& at) { step_actions_->show_menu(step, at); });
   connect(objects_, &ObjectList::renamed, this,
-          [this](NodeId node, const std::string& name) { studio_.rename_object(node, name); });
+          [this](NodeId node, const std::string& name) { rename_object(studio_, node, name); });
   connect(objects_, &ObjectList::shown, this,
-          [this](const std::vector<NodeId>& objects, bool visible) { studio_.show_objects(objects, visible); });
+          [this](const std::vector<NodeId>& objects, bool visible) { show_objects(studio_, objects, visible); });
   connect(objects_, &ObjectList::group_renamed, this,
-          [this](const std::string& group, const std::string& name) { studio_.rename_group(group, name); });
+          [this](const std::string& group, const std::string& name) { rename_group(studio_, group, name); });
   connect(findings_, &FindingsList::finding_chosen, this, &MainWindow::show_finding);
   connect(findings_, &FindingsList::fix_chosen, this, [this](const NodeFinding& found, QAction* fix) {
     choose_step(found.node);
@@ -109,7 +109,7 @@ void MainWindow::connect_panels() {
 void MainWindow::update_panels() {
   const Session& session = studio_.session();
   const WorkObject* object = studio_.active();
-  const Node* operation = studio_.active_operation();
+  const Node* operation = active_operation(studio_);
   attributes_->show_node(operation, operation == nullptr ? nullptr : studio_.description(operation->operation));
   placement_->follow(studio_);
   objects_->show_objects(studio_);
@@ -123,10 +123,10 @@ void MainWindow::update_panels() {
   action("delete")->setEnabled(!session.selection().empty() || has_selection);
   const bool shown = object != nullptr && object->shown() != nullptr;
   for (const char* name : {"export-solid", "export-visible", "export-all"}) action(name)->setEnabled(shown);
-  action("export-step")->setEnabled(files_.exact_solid() != nullptr);
+  action("export-step")->setEnabled(exact_solid(studio_) != nullptr);
   action("export-picture")->setEnabled(shown);
-  for (const OperationDescription* exported : files_.exports())
-    action(export_action(*exported))->setEnabled(files_.can_export(*exported));
+  for (const OperationDescription* exported : result_exports(studio_))
+    action(export_action(*exported))->setEnabled(can_export(studio_, *exported));
   actions_->show_mode(viewport_->mode());
   show_cameras();
   for (const auto& tool : tools_) tool->refresh();
@@ -145,7 +145,7 @@ QString MainWindow::status() const {
 void MainWindow::show_findings() {
   std::vector<NodeFinding> all;
   for (const Finding& finding : files_.warnings()) all.push_back({0, finding});
-  for (const NodeFinding& found : studio_.findings()) all.push_back(found);
+  for (const NodeFinding& found : findings_of(studio_)) all.push_back(found);
   findings_->show_findings(
       all, [this](const NodeFinding& found) { return owner_of(found); },
       [this](const NodeFinding& found) { return step_actions_->fixes_of(found); });
@@ -227,7 +227,7 @@ void MainWindow::show_finding(const NodeFinding& found) {
   }
 }
 
-void MainWindow::tell(const QString& sentence) { help_->tell(sentence); }
+void MainWindow::tell(const QString& sentence) { help_->say(sentence); }
 
 void MainWindow::go_to_step(int steps) {
   Session& session = studio_.session();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/content.h"
 #include "croquis/document/connectivity.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/chain_edit.h"
@@ -24,41 +25,37 @@ StepActions::StepActions(ToolHost& host, ActionList& actions) : host_(host) {
   menu->addSeparator();
   add(actions, menu, "step-on", QObject::tr("&Enable step"), {}, [](Studio& studio, NodeId step) {
     const Node* node = studio.session().document().find(step);
-    studio.enable_step(step, node != nullptr && !node->enabled);
+    enable_step(studio, step, node != nullptr && !node->enabled);
   });
   actions.find("step-on")->setCheckable(true);
   add(actions, menu, "step-earlier", QObject::tr("Move step d&own"), "Ctrl+Shift+Down",
-      [](Studio& studio, NodeId step) { studio.move_step(step, -1); });
+      [](Studio& studio, NodeId step) { move_step(studio, step, -1); });
   add(actions, menu, "step-later", QObject::tr("&Move step up"), "Ctrl+Shift+Up",
-      [](Studio& studio, NodeId step) { studio.move_step(step, 1); });
-  add(actions, menu, "duplicate-step", QObject::tr("D&uplicate step"), {},
-      [](Studio& studio, NodeId step) { studio.copy_step(step); });
-  add(actions, menu, "freeze-step", QObject::tr("Free&ze step"), {},
-      [](Studio& studio, NodeId step) { studio.freeze_step(step); });
-  add(actions, menu, "reapply-step", QObject::tr("Apply to the new mesh by &number"), {},
-      [](Studio& studio, NodeId step) { studio.reapply_step(step); });
-  add(actions, menu, "reapply-step-by-position", QObject::tr("&Apply to the new mesh"), {},
-      [](Studio& studio, NodeId step) { studio.reapply_step_by_position(step); });
-  add(actions, menu, "delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace",
-      [](Studio& studio, NodeId step) { studio.remove_step(step); });
+      [](Studio& studio, NodeId step) { move_step(studio, step, 1); });
+  add(actions, menu, "duplicate-step", QObject::tr("D&uplicate step"), {}, copy_step);
+  add(actions, menu, "freeze-step", QObject::tr("Free&ze step"), {}, freeze_step);
+  add(actions, menu, "reapply-step", QObject::tr("Apply to the new mesh by &number"), {}, reapply_step);
+  add(actions, menu, "reapply-step-by-position", QObject::tr("&Apply to the new mesh"), {}, reapply_step_by_position);
+  add(actions, menu, "delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace", remove_step);
   menu->addSeparator();
   add(actions, menu, "duplicate-object", QObject::tr("&Duplicate object"), "Ctrl+D",
-      [](Studio& studio, NodeId) { studio.copy_objects(studio.picked_or_active()); });
+      [](Studio& studio, NodeId) { copy_objects(studio, picked_or_active(studio)); });
   add(actions, menu, "delete-object", QObject::tr("Delete o&bject"), {},
-      [](Studio& studio, NodeId) { studio.remove_objects(studio.picked_or_active()); });
+      [](Studio& studio, NodeId) { remove_objects(studio, picked_or_active(studio)); });
   add(actions, menu, "group", QObject::tr("&Group"), {},
-      [](Studio& studio, NodeId) { studio.group_objects(studio.picked()); });
+      [](Studio& studio, NodeId) { group_objects(studio, picked(studio)); });
   add(actions, menu, "ungroup", QObject::tr("U&ngroup"), "Ctrl+Shift+G",
-      [](Studio& studio, NodeId) { studio.ungroup_objects(studio.picked()); });
+      [](Studio& studio, NodeId) { ungroup_objects(studio, picked(studio)); });
   add(actions, menu, "hide", QObject::tr("&Hide"), "Ctrl+H",
-      [](Studio& studio, NodeId) { studio.show_objects(studio.picked(), false); });
+      [](Studio& studio, NodeId) { show_objects(studio, picked(studio), false); });
   add(actions, menu, "show-all", QObject::tr("Sho&w all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
     std::vector<NodeId> all;
     for (const WorkObject& object : studio.objects()) all.push_back(object.node);
-    studio.show_objects(all, true);
+    show_objects(studio, all, true);
   });
-  add(actions, menu, "isolate", QObject::tr("&Isolate selection"), "Ctrl+1",
-      [](Studio& studio, NodeId) { studio.isolate(studio.is_isolating() ? std::vector<NodeId>() : studio.picked()); });
+  add(actions, menu, "isolate", QObject::tr("&Isolate selection"), "Ctrl+1", [](Studio& studio, NodeId) {
+    studio.isolate(!studio.isolated().empty() ? std::vector<NodeId>() : picked(studio));
+  });
   actions.find("isolate")->setCheckable(true);
 }
 
@@ -66,7 +63,7 @@ void StepActions::add(ActionList& actions, QMenu* menu, const QString& name, con
                       std::function<void(Studio&, NodeId)> work) {
   const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
   actions.add(menu, name, text, keys, [this, work = std::move(work)] {
-    host_.attempt([&] { work(host_.studio(), host_.studio().active_step()); });
+    host_.attempt([&] { work(host_.studio(), active_step(host_.studio())); });
     host_.refresh();
   });
 }
@@ -78,7 +75,9 @@ void StepActions::add_operations(ActionList& actions, QMenu* menu) {
     if (output == nullptr || output->type != ValueType::Mesh) continue;  // what it gives has no place in a chain
     const QString name = "add-step-" + QString::fromStdString(description.id);
     add(actions, added_, name, QString::fromStdString(description.title), {},
-        [id = description.id](Studio& studio, NodeId step) { studio.add_step(step, id, studio.first_parameters(id)); });
+        [id = description.id](Studio& studio, NodeId step) {
+          add_step(studio, step, id, first_parameters(studio, id));
+        });
     operations_[description.id] = actions.find(name);
     operations_[description.id]->setToolTip(QString::fromStdString(description.sentence));
   }
@@ -88,10 +87,10 @@ void StepActions::enable(const QString& name, bool enabled) { host_.action(name)
 
 void StepActions::refresh() {
   const Studio& studio = host_.studio();
-  const NodeId step = studio.active_step();
+  const NodeId step = active_step(studio);
   const WorkObject* object = studio.active();
-  const Node* node = studio.active_operation();
-  const auto fitting = studio.operations_on(step);
+  const Node* node = active_operation(studio);
+  const auto fitting = operations_on(studio, step);
   for (const auto& [id, action] : operations_) action->setEnabled(holds(fitting, id));
   added_->setEnabled(!fitting.empty());
   const std::vector<NodeId> chain = object == nullptr ? std::vector<NodeId>() : object->chain;
@@ -101,7 +100,7 @@ void StepActions::refresh() {
   const bool has_later = in_chain && std::next(place) != chain.end();
   for (const char* name : {"duplicate-step", "freeze-step", "delete-step"}) enable(name, node != nullptr);
   enable("step-on", node != nullptr && can_be_off(studio.session().document(), studio.registry(), step));
-  const StepState state = node == nullptr ? StepState::Source : studio.step(step).state;
+  const StepState state = node == nullptr ? StepState::Source : step_at(studio, step).state;
   const bool attention = state == StepState::NeedsAttention;
   const bool old = attention || state == StepState::Held || state == StepState::Stale;
   host_.action("freeze-step")->setText(old ? QObject::tr("&Keep the shape") : QObject::tr("Free&ze step"));
@@ -112,15 +111,15 @@ void StepActions::refresh() {
   host_.action("step-on")->setChecked(node != nullptr && node->enabled);
   enable("duplicate-object", object != nullptr);
   enable("delete-object", object != nullptr);
-  const std::vector<NodeId> picked = studio.picked();
-  enable("group", picked.size() > 1 && !host_.picks_elements());
+  const std::vector<NodeId> chosen = picked(studio);
+  enable("group", chosen.size() > 1 && !host_.picks_elements());
   // Of elements the same key makes a crease set.
   host_.action("group")->setShortcut(host_.picks_elements() ? QKeySequence() : QKeySequence("Ctrl+G"));
-  enable("ungroup", std::ranges::any_of(picked, [&](NodeId each) { return !studio.object(each)->group.empty(); }));
-  enable("hide", std::ranges::any_of(picked, [&](NodeId each) { return studio.object(each)->visible; }));
+  enable("ungroup", std::ranges::any_of(chosen, [&](NodeId each) { return !studio.object(each)->group.empty(); }));
+  enable("hide", std::ranges::any_of(chosen, [&](NodeId each) { return studio.object(each)->visible; }));
   enable("show-all", std::ranges::any_of(studio.objects(), [](const WorkObject& each) { return !each.visible; }));
-  enable("isolate", studio.is_isolating() || !picked.empty());
-  host_.action("isolate")->setChecked(studio.is_isolating());
+  enable("isolate", !studio.isolated().empty() || !chosen.empty());
+  host_.action("isolate")->setChecked(!studio.isolated().empty());
 }
 
 std::vector<QAction*> StepActions::fixes_of(const NodeFinding& found) const {

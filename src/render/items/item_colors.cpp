@@ -40,7 +40,7 @@ std::vector<Index> number_keys(std::span<const double> keys) {
   return parts;
 }
 
-bool tells_apart(std::span<const Index> parts) {
+bool has_several(std::span<const Index> parts) {
   return std::any_of(parts.begin(), parts.end(), [](Index part) { return part != 0; });
 }
 
@@ -195,7 +195,7 @@ Color palette_color(std::size_t index) {
 
 std::vector<Index> face_parts(const PolyMesh& mesh, std::span<const Index> welded) {
   for (const char* name : {"object", "group"}) {
-    if (auto parts = parts_by_channel(mesh, name); parts && tells_apart(*parts)) return std::move(*parts);
+    if (auto parts = parts_by_channel(mesh, name); parts && has_several(*parts)) return std::move(*parts);
   }
   return parts_by_component(mesh, welded);
 }

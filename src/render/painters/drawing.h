@@ -14,7 +14,7 @@ namespace croquis::render {
 struct Drawing {
   const Scene& scene;
   const RenderOptions& options;
-  const Viewport& viewport;
+  const PixelRect& viewport;
   ViewFrame view;  ///< of the surfaces' frame, border included
   int border = 0;  ///< pixels of it around the viewport
   int samples = 1;

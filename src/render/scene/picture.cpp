@@ -53,7 +53,7 @@ class PictureTarget {
 };
 
 /// Copies the target's lower left corner into its place of the picture; OpenGL's rows come from below.
-void read_tile(const Viewport& tile, RenderedPicture& picture) {
+void read_tile(const PixelRect& tile, RenderedPicture& picture) {
   const auto row_bytes = 4 * static_cast<std::size_t>(tile.width);
   std::vector<std::uint8_t> pixels(row_bytes * static_cast<std::size_t>(tile.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -78,8 +78,8 @@ RenderedPicture render_picture(Renderer& renderer, const Scene& scene, const Cam
   const PictureTarget target(std::min(size.width, tile_size), std::min(size.height, tile_size));
   for (int bottom = 0; bottom < size.height; bottom += tile_size) {
     for (int left = 0; left < size.width; left += tile_size) {
-      const Viewport tile{0, 0, std::min(tile_size, size.width - left), std::min(tile_size, size.height - bottom),
-                          PictureCrop{size.width, size.height, left, bottom}};
+      const PixelRect tile{0, 0, std::min(tile_size, size.width - left), std::min(tile_size, size.height - bottom),
+                           PictureCrop{size.width, size.height, left, bottom}};
       renderer.draw(scene, camera, complete, tile);
       read_tile(tile, picture);
     }

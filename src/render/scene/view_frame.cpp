@@ -7,7 +7,7 @@
 
 namespace croquis::render {
 
-ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const Viewport& viewport, int border) {
+ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const PixelRect& viewport, int border) {
   ViewFrame frame;
   frame.perspective = camera.projection == Projection::Perspective;
   frame.unit = glm::distance(camera.eye, camera.target);

@@ -34,7 +34,7 @@ glm::dmat4 item_to_view(const Shown<Item>& shown, const ViewFrame& view) {
 }
 
 /// @param border pixels drawn around the viewport
-ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const Viewport& viewport, int border);
+ViewFrame make_view_frame(const Camera& camera, const Bounds& bounds, const PixelRect& viewport, int border);
 
 /// Pixels of a frame from its lower left corner; `high` is outside.
 struct ScreenRect {

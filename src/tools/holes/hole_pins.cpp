@@ -48,27 +48,29 @@ bool is_inside(const Vec2& pixel, const Vec2& size) {
   return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= size.x() && pixel.y() <= size.y();
 }
 
-/// What is wanted for one hole.
-struct Wish {
+/// A pin that is to be placed for one hole.
+struct PinRequest {
   HolePin pin;
   double depth = 0;
   double radius = 0;
 };
 
-std::vector<Wish> wishes_of(std::span<const HoleRim> rims, const ViewFrame& frame, const HoleSight& sight) {
-  std::vector<Wish> wishes;
+std::vector<PinRequest> requests_of(std::span<const HoleRim> rims, const ViewFrame& frame, const HoleSight& sight) {
+  std::vector<PinRequest> requests;
   for (const HoleRim& rim : rims) {
     const auto at = frame.project(rim.at);
     if (!at || !is_inside(at->pixel, frame.size) || std::abs(at->depth) > 1) continue;
     const bool facing = rim.normal.dot(frame.to_eye(rim.at)) >= 0;
     const bool visible = !sight || sight(frame, rim.at);
-    wishes.push_back({{{rim.id}, rim.id, at->pixel, at->pixel, rim.at, facing, visible}, at->depth, rim.radius});
+    requests.push_back({{{rim.id}, rim.id, at->pixel, at->pixel, rim.at, facing, visible}, at->depth, rim.radius});
   }
-  std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
-    const auto key = [](const Wish& w) { return std::tuple(!(w.pin.facing && w.pin.visible), -w.radius, w.pin.hole); };
+  std::sort(requests.begin(), requests.end(), [](const PinRequest& a, const PinRequest& b) {
+    const auto key = [](const PinRequest& w) {
+      return std::tuple(!(w.pin.facing && w.pin.visible), -w.radius, w.pin.hole);
+    };
     return key(a) < key(b);
   });
-  return wishes;
+  return requests;
 }
 
 /// The pins that have a place, in cells as large as the distance between pins has to be.
@@ -82,8 +84,8 @@ class PinBoard {
     cells_.resize(index_of(columns_ - 1, rows_ - 1) + 1);
   }
 
-  void add(const Wish& wish, const ViewFrame& frame) {
-    HolePin pin = wish.pin;
+  void add(const PinRequest& request, const ViewFrame& frame) {
+    HolePin pin = request.pin;
     if (HolePin* blocker = nearest(pin.anchor, apart_)) {
       const auto place = free_place(pin.anchor, blocker->pixel);
       if (!place) {
@@ -91,7 +93,7 @@ class PinBoard {
         return;
       }
       pin.pixel = *place;
-      pin.place = frame.unproject(pin.pixel, wish.depth);
+      pin.place = frame.unproject(pin.pixel, request.depth);
     }
     const auto [column, row] = cell_of(pin.pixel);
     cells_[index_of(column, row)].push_back(pins_.size());
@@ -174,7 +176,7 @@ std::vector<HoleRim> rims_from_lines(const PolyMesh& lines) {
 std::vector<HolePin> place_pins(std::span<const HoleRim> rims, const ViewFrame& frame, const HolePinOptions& options,
                                 const HoleSight& sight) {
   PinBoard board(frame.size, options);
-  for (const Wish& wish : wishes_of(rims, frame, sight)) board.add(wish, frame);
+  for (const PinRequest& request : requests_of(rims, frame, sight)) board.add(request, frame);
   return board.take();
 }
 

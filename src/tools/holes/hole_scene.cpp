@@ -243,8 +243,7 @@ std::vector<Index> HoleScene::in_box(const ViewFrame& frame, const PickBox& box)
   std::vector<Index> inside;
   for (const HoleRim& rim : rims_) {
     const auto at = frame.project(rim.at);
-    if (!at || (at->pixel.array() < box.low.array()).any() || (at->pixel.array() > box.high.array()).any()) continue;
-    if (sees(frame, rim.at)) inside.push_back(rim.id);
+    if (at && box.has(at->pixel) && sees(frame, rim.at)) inside.push_back(rim.id);
   }
   return inside;
 }

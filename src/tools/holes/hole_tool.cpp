@@ -13,8 +13,6 @@
 namespace croquis {
 namespace {
 
-enum class Gesture { None, Press, Box, Pull };
-
 std::string action_of(const Modifiers& modifiers) {
   if (modifiers.shift) return modifiers.ctrl ? "add" : "toggle";
   return modifiers.ctrl ? "remove" : "select";
@@ -42,203 +40,154 @@ std::vector<Index> chosen(const std::vector<Index>& before, const std::vector<In
   return after;
 }
 
-bool has_hole(const std::vector<Index>& holes, Index hole) {
-  return std::binary_search(holes.begin(), holes.end(), hole);
-}
-
-}  // namespace
-
-struct HoleTool::State {
-  explicit State(const HoleToolOptions& wanted) : options(wanted), scene(wanted) {}
-
-  Verdict begin(const MeshEvent& event);
-  void go_on(const MeshEvent& event);
-  Verdict finish();
-  Verdict give_up();
-  void end_gesture();
-  void start_pull();
-  Verdict click();
-  Verdict click_on(const HoleHover& under, const Modifiers& modifiers, bool again);
-  Verdict choose(std::vector<Index> holes, const std::string& action);
-  Verdict commit(recorded::Step step);
-  void require(const std::vector<Index>& holes) const;
-
-  HoleToolOptions options;
-  HoleScene scene;
-  std::vector<Index> filled;
-  std::vector<Index> selected;
-  HolePreview preview;
-  std::optional<recorded::Step> done;
-
-  Gesture gesture = Gesture::None;
-  MeshEvent start;           ///< that began the gesture
-  Vec2 last = Vec2::Zero();  ///< where the pointer is
-  HoleHover pressed;         ///< what it was pressed on
-  std::optional<PatchDrag> drag;
-  std::optional<MeshEvent> last_click;
-};
-
-// ---- Gestures
-
-Verdict HoleTool::State::begin(const MeshEvent& event) {
-  give_up();
-  start = event;
-  last = event.pixel;
-  pressed = scene.at(event.frame, event.pixel);
-  gesture = Gesture::Press;
-  return Verdict::Continue;
-}
-
-void HoleTool::State::go_on(const MeshEvent& event) {
-  last = event.pixel;
-  if (gesture == Gesture::Press && (last - start.pixel).norm() > options.drag_pixels) {
-    const bool pulls = pressed.place && !start.modifiers.ctrl;
-    gesture = pulls ? Gesture::Pull : Gesture::Box;
-    preview.hovered = {};
-    if (pulls) start_pull();
-  }
-  if (gesture == Gesture::Box) preview.box = PickBox::spanned(start.pixel, last);
-  if (gesture == Gesture::Pull) preview.pull->to = drag->to(last);
-}
-
-void HoleTool::State::start_pull() {
-  PatchPull pull;
-  pull.hole = pressed.holes.front();
-  if (pressed.part == HolePart::Handle) pull.handle = pressed.handle;
-  pull.from = pull.to = *pressed.place;
-  pull.normal = scene.normal_at(pressed, start.frame);
-  pull.along_normal = start.modifiers.shift;
-  drag.emplace(start.frame, start.pixel, pull.from, pull.along_normal ? std::optional(pull.normal) : std::nullopt);
-  preview.pull = pull;
-}
-
-Verdict HoleTool::State::finish() {
-  const Gesture finished = gesture;
-  if (finished == Gesture::Press) return click();
-  const std::optional<PatchPull> pull = preview.pull;
-  end_gesture();
-  if (finished == Gesture::Pull) return pull->from == pull->to ? Verdict::Revert : commit(pull->as_step());
-  if (finished != Gesture::Box) return Verdict::Continue;
-  return choose(scene.in_box(start.frame, PickBox::spanned(start.pixel, last)), action_of(start.modifiers));
-}
-
-Verdict HoleTool::State::give_up() {
-  if (gesture == Gesture::None) return Verdict::Continue;
-  end_gesture();
-  return Verdict::Revert;
-}
-
-void HoleTool::State::end_gesture() {
-  gesture = Gesture::None;
-  preview = {};
-  drag.reset();
-}
-
-Verdict HoleTool::State::click() {
-  const HoleHover under = std::exchange(pressed, {});
-  end_gesture();
-  const bool again = last_click && start.time - last_click->time <= options.double_click_seconds &&
-                     (start.pixel - last_click->pixel).norm() <= options.drag_pixels;
-  last_click = again ? std::nullopt : std::optional(start);
-  return click_on(under, start.modifiers, again && start.modifiers == Modifiers{});
-}
-
-Verdict HoleTool::State::click_on(const HoleHover& under, const Modifiers& modifiers, bool again) {
-  const std::string action = action_of(modifiers);
-  if (under.part == HolePart::Handle && action == "remove")
-    return commit(recorded::HolePoint{under.holes.front(), under.place, std::nullopt, {}});
-  if (under.holes.empty()) return action == "select" ? choose({}, action) : Verdict::Continue;
-  if (!again) return choose(under.holes, action);
-  const bool all_filled =
-      std::all_of(under.holes.begin(), under.holes.end(), [&](Index hole) { return has_hole(filled, hole); });
-  return commit(recorded::HoleChoice{under.holes, all_filled ? "leave" : "fill", {}});
-}
-
-// ---- Selection
-
-Verdict HoleTool::State::choose(std::vector<Index> holes, const std::string& action) {
-  holes = sorted(std::move(holes));
-  std::vector<Index> after = chosen(selected, holes, action);
-  if (after == selected) return Verdict::Continue;
-  selected = std::move(after);
-  return commit(recorded::HoleChoice{std::move(holes), action, {}});
-}
-
-Verdict HoleTool::State::commit(recorded::Step step) {
-  done = std::move(step);
-  return Verdict::Commit;
-}
-
-void HoleTool::State::require(const std::vector<Index>& holes) const {
+/// @throws Error (E_INPUT) naming each hole that isn't there
+void require_holes(const HoleScene& scene, const std::vector<Index>& holes) {
   Findings findings;
   for (const Index hole : holes) {
     if (scene.rim(hole) != nullptr) continue;
-    const std::string id = std::to_string(hole);
-    findings.push_back(make_error(Category::Usage, "E_INPUT", "The scan has no hole " + id,
+    findings.push_back(make_error(Category::Usage, "E_INPUT", "The scan has no hole " + std::to_string(hole),
                                   {numbered_subject(SubjectKind::Hole, hole)}));
   }
   if (!findings.empty()) throw Error(std::move(findings));
 }
 
-// ---- The tool
+}  // namespace
 
-HoleTool::HoleTool(HoleToolOptions options) : state_(std::make_unique<State>(options)) {}
+/// A gesture under way.
+struct HoleGesture {
+  enum class Kind { Press, Box, Pull };
+
+  Kind kind = HoleGesture::Kind::Press;
+  MeshEvent start;           ///< that began it
+  Vec2 last = Vec2::Zero();  ///< where the pointer is
+  HoleHover pressed;         ///< what it was pressed on
+  std::optional<PatchDrag> drag;
+
+  PickBox box() const { return PickBox::spanned(start.pixel, last); }
+};
+
+HoleTool::HoleTool(HoleToolOptions options) : options_(options), scene_(std::make_unique<HoleScene>(options)) {}
 HoleTool::~HoleTool() = default;
 HoleTool::HoleTool(HoleTool&&) noexcept = default;
 HoleTool& HoleTool::operator=(HoleTool&&) noexcept = default;
 
+// ---- What it works on
+
 void HoleTool::set_rims(std::vector<HoleRim> rims) {
-  state_->end_gesture();
-  state_->last_click.reset();
-  state_->scene.set_rims(std::move(rims));
-  std::erase_if(state_->selected, [&](Index hole) { return rim(hole) == nullptr; });
+  gesture_.reset();
+  preview_ = {};
+  last_click_.reset();
+  scene_->set_rims(std::move(rims));
+  std::erase_if(selected_, [&](Index hole) { return rim(hole) == nullptr; });
 }
 
-const std::vector<HoleRim>& HoleTool::rims() const { return state_->scene.rims(); }
-const HoleRim* HoleTool::rim(Index hole) const { return state_->scene.rim(hole); }
-void HoleTool::set_filled(std::vector<Index> holes) { state_->filled = sorted(std::move(holes)); }
-bool HoleTool::is_filled(Index hole) const { return has_hole(state_->filled, hole); }
-void HoleTool::set_patches(std::vector<HolePatchView> patches) { state_->scene.set_patches(std::move(patches)); }
-void HoleTool::set_handles(std::vector<PatchHandle> handles) { state_->scene.handles = std::move(handles); }
-const std::vector<PatchHandle>& HoleTool::handles() const { return state_->scene.handles; }
-void HoleTool::set_sight(HoleSight sight) { state_->scene.set_sight(std::move(sight)); }
+const std::vector<HoleRim>& HoleTool::rims() const { return scene_->rims(); }
+const HoleRim* HoleTool::rim(Index hole) const { return scene_->rim(hole); }
+void HoleTool::set_filled(std::vector<Index> holes) { filled_ = sorted(std::move(holes)); }
+void HoleTool::set_patches(std::vector<HolePatchView> patches) { scene_->set_patches(std::move(patches)); }
+void HoleTool::set_handles(std::vector<PatchHandle> handles) { scene_->handles = std::move(handles); }
+const std::vector<PatchHandle>& HoleTool::handles() const { return scene_->handles; }
+void HoleTool::set_sight(HoleSight sight) { scene_->set_sight(std::move(sight)); }
+const std::vector<HolePin>& HoleTool::pins(const ViewFrame& frame) { return scene_->pins(frame); }
+
+// ---- Gestures
 
 Verdict HoleTool::handle(const MeshEvent& event) {
-  State& state = *state_;
-  if (event.kind == PenStep::Kind::Cancel) return state.give_up();
-  if (event.kind == PenStep::Kind::Begin) return event.pixel.allFinite() ? state.begin(event) : state.give_up();
-  if (state.gesture == Gesture::None) return Verdict::Continue;
-  if (event.pixel.allFinite() && event.pixel != state.last) state.go_on(event);
-  return event.kind == PenStep::Kind::End ? state.finish() : Verdict::Continue;
+  const bool is_finite = event.pixel.allFinite();
+  const bool begins = event.kind == PenStep::Kind::Begin;
+  if (event.kind == PenStep::Kind::Cancel || (begins && !is_finite)) return give_up();
+  if (begins) {
+    give_up();
+    gesture_ = std::make_unique<HoleGesture>(
+        HoleGesture{HoleGesture::Kind::Press, event, event.pixel, scene_->at(event.frame, event.pixel), {}});
+    return Verdict::Continue;
+  }
+  if (!gesture_) return Verdict::Continue;
+  if (is_finite && event.pixel != gesture_->last) go_on(event);
+  return event.kind == PenStep::Kind::End ? finish() : Verdict::Continue;
 }
 
-bool HoleTool::active() const { return state_->gesture != Gesture::None; }
+void HoleTool::go_on(const MeshEvent& event) {
+  HoleGesture& now = *gesture_;
+  now.last = event.pixel;
+  if (now.kind == HoleGesture::Kind::Press && (now.last - now.start.pixel).norm() > options_.drag_pixels) {
+    now.kind = now.pressed.place && !now.start.modifiers.ctrl ? HoleGesture::Kind::Pull : HoleGesture::Kind::Box;
+    preview_.hovered = {};
+  }
+  if (now.kind == HoleGesture::Kind::Box) preview_.box = now.box();
+  if (now.kind != HoleGesture::Kind::Pull) return;
+  if (!now.drag) {
+    PatchPull pull;
+    pull.hole = now.pressed.holes.front();
+    if (now.pressed.part == HolePart::Handle) pull.handle = now.pressed.handle;
+    pull.from = *now.pressed.place;
+    pull.normal = scene_->normal_at(now.pressed, now.start.frame);
+    pull.along_normal = now.start.modifiers.shift;
+    now.drag.emplace(now.start.frame, now.start.pixel, pull.from,
+                     pull.along_normal ? std::optional(pull.normal) : std::nullopt);
+    preview_.pull = pull;
+  }
+  preview_.pull->to = now.drag->to(now.last);
+}
+
+Verdict HoleTool::give_up() {
+  if (!gesture_) return Verdict::Continue;
+  gesture_.reset();
+  preview_ = {};
+  return Verdict::Revert;
+}
+
+Verdict HoleTool::finish() {
+  const std::unique_ptr<const HoleGesture> gesture = std::exchange(gesture_, nullptr);
+  const std::optional<PatchPull> pull = std::exchange(preview_, {}).pull;
+  const MeshEvent& start = gesture->start;
+  const std::string action = action_of(start.modifiers);
+  if (gesture->kind == HoleGesture::Kind::Pull)
+    return pull->from == pull->to ? Verdict::Revert : commit(pull->as_step());
+  if (gesture->kind == HoleGesture::Kind::Box) return choose(scene_->in_box(start.frame, gesture->box()), action);
+  const HoleHover& under = gesture->pressed;
+  const bool again = last_click_ && start.time - last_click_->time <= options_.double_click_seconds &&
+                     (start.pixel - last_click_->pixel).norm() <= options_.drag_pixels;
+  last_click_ = again ? std::nullopt : std::optional(start);
+  if (under.part == HolePart::Handle && action == "remove")
+    return commit(recorded::HolePoint{under.holes.front(), under.place, std::nullopt, {}});
+  if (under.holes.empty()) return action == "select" ? choose({}, action) : Verdict::Continue;
+  if (!again || start.modifiers != Modifiers{}) return choose(under.holes, action);
+  const bool all_filled = std::ranges::all_of(under.holes, [&](Index hole) { return is_filled(hole); });
+  return commit(recorded::HoleChoice{under.holes, all_filled ? "leave" : "fill", {}});
+}
 
 bool HoleTool::hover(const Vec2& pixel, const ViewFrame& frame) {
   if (active() || !pixel.allFinite()) return false;
-  HoleHover now = state_->scene.at(frame, pixel);
-  const bool changed = now != state_->preview.hovered;
-  state_->preview.hovered = std::move(now);
+  HoleHover now = scene_->at(frame, pixel);
+  const bool changed = now != preview_.hovered;
+  preview_.hovered = std::move(now);
   return changed;
 }
 
 bool HoleTool::leave() {
   if (active()) return false;
-  const bool changed = state_->preview.hovered != HoleHover{};
-  state_->preview = {};
-  return changed;
+  return std::exchange(preview_, {}).hovered != HoleHover{};
 }
 
-const HolePreview& HoleTool::preview() const { return state_->preview; }
-const std::optional<recorded::Step>& HoleTool::done() const { return state_->done; }
-const std::vector<HolePin>& HoleTool::pins(const ViewFrame& frame) { return state_->scene.pins(frame); }
+// ---- Selection
 
-const std::vector<Index>& HoleTool::selected() const { return state_->selected; }
-bool HoleTool::is_selected(Index hole) const { return has_hole(state_->selected, hole); }
+Verdict HoleTool::choose(std::vector<Index> holes, const std::string& action) {
+  holes = sorted(std::move(holes));
+  std::vector<Index> after = chosen(selected_, holes, action);
+  if (after == selected_) return Verdict::Continue;
+  selected_ = std::move(after);
+  return commit(recorded::HoleChoice{std::move(holes), action, {}});
+}
+
+Verdict HoleTool::commit(recorded::Step step) {
+  done_ = std::move(step);
+  return Verdict::Commit;
+}
 
 Verdict HoleTool::select(std::vector<Index> holes) {
   std::erase_if(holes, [&](Index hole) { return rim(hole) == nullptr; });
-  return state_->choose(std::move(holes), "select");
+  return choose(std::move(holes), "select");
 }
 
 Verdict HoleTool::select_all() {
@@ -248,14 +197,14 @@ Verdict HoleTool::select_all() {
 }
 
 Verdict HoleTool::replay(const recorded::HoleChoice& step) {
-  state_->require(step.holes);
-  if (step.action == "fill" || step.action == "leave") return state_->commit(step);
-  return state_->choose(step.holes, step.action);
+  require_holes(*scene_, step.holes);
+  if (step.action == "fill" || step.action == "leave") return commit(step);
+  return choose(step.holes, step.action);
 }
 
 Verdict HoleTool::replay(const recorded::HolePoint& step) {
-  state_->require({step.hole});
-  return state_->commit(step);
+  require_holes(*scene_, {step.hole});
+  return commit(step);
 }
 
 std::vector<Vec3> moved_through(std::vector<Vec3> through, const recorded::HolePoint& step, double reach) {

@@ -9,6 +9,7 @@
 #include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/chain_edit.h"
+#include "croquis/workspace/computed.h"
 #include "croquis/workspace/work_object.h"
 
 namespace croquis {
@@ -81,14 +82,14 @@ bool EditableMesh::is_computed() const {
 std::shared_ptr<const PolyMesh> EditableMesh::mesh() const {
   if (!is_computed()) return source_mesh(session_.document(), node_);
   if (computed_ && computed_node_ == node_ && computed_revision_ == session_.revision()) return computed_;
-  computed_ = workspace_->final_mesh(session_.document(), node_);
+  computed_ = final_mesh(*workspace_, session_.document(), node_);
   computed_node_ = node_;
   computed_revision_ = session_.revision();
   return computed_;
 }
 
 AddedNode EditableMesh::with_lines(const Document& document, const std::vector<EditLine>& lines) const {
-  const auto before = workspace_->final_mesh(document, node_);
+  const auto before = final_mesh(*workspace_, document, node_);
   if (!before) {
     throw Error(make_error(Category::Usage, "E_STEP", "The mesh can't be edited before it is computed"));
   }

@@ -9,6 +9,7 @@
 #include "croquis/mesh_editing/mesh_selection.h"
 #include "tools/pointer/face_tree.h"
 #include "tools/pointer/seen_faces.h"
+#include "tools/pointer/segment_distance.h"
 
 namespace croquis {
 namespace {
@@ -68,10 +69,6 @@ std::optional<Candidate> edge_near(const PolyMesh& mesh, const MeshTopology& top
   const double t = segment->on_edge(on_screen);
   const Vec3 place = mesh.positions[a] + t * (mesh.positions[b] - mesh.positions[a]);
   return Candidate{{edge, place, (foot.pixel - pixel).norm(), t}, foot.depth};
-}
-
-bool inside(const PickBox& box, const Vec2& pixel) {
-  return (pixel.array() >= box.low.array()).all() && (pixel.array() <= box.high.array()).all();
 }
 
 bool polygon_has(const std::vector<Projected>& polygon, const Vec2& place) {
@@ -211,7 +208,7 @@ struct BoxQuery {
   }
 
   bool has_vertex(Index vertex, std::vector<Index>& own) const {
-    if (screen.shown[vertex] == 0 || !inside(box, screen.vertices[vertex].pixel)) return false;
+    if (screen.shown[vertex] == 0 || !box.has(screen.vertices[vertex].pixel)) return false;
     if (seen == nullptr) return true;
     list_faces(picker.topology(), picker.topology().vertex_corners(vertex), own);
     return sees(screen.vertices[vertex], picker.mesh().positions[vertex], own);
@@ -250,7 +247,7 @@ struct BoxQuery {
     for (const Index vertex : picker.mesh().face(face)) middle += picker.mesh().positions[vertex];
     middle /= static_cast<double>(picker.mesh().face(face).size());
     const auto at = frame.project(middle);
-    return at && at->depth >= -1 && inside(box, at->pixel) && sees(*at, middle, {face});
+    return at && at->depth >= -1 && box.has(at->pixel) && sees(*at, middle, {face});
   }
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "croquis/workspace/computed.h"
 #include "croquis/workspace/object_names.h"
 
 namespace croquis {
@@ -21,7 +22,7 @@ std::string verb_of(ManipulatorKind kind) {
 /// The objects that a drag moves: picked ones that are seen.
 std::vector<const WorkObject*> seen_and_picked(const Workspace& workspace) {
   std::vector<const WorkObject*> objects;
-  for (const NodeId node : workspace.picked()) {
+  for (const NodeId node : picked(workspace)) {
     const WorkObject* object = workspace.object(node);
     if (object->visible && workspace.own_bounds(*object)) objects.push_back(object);
   }
@@ -45,7 +46,7 @@ std::optional<Manipulator> ObjectMover::manipulator() const {
   Vec3 low = Vec3::Constant(infinity);
   Vec3 high = -low;
   for (const WorkObject* object : objects) {
-    const std::array<Vec3, 2> box = *workspace_.bounds(*object);
+    const std::array<Vec3, 2> box = *placed_bounds(workspace_, *object);
     low = low.cwiseMin(box[0]);
     high = high.cwiseMax(box[1]);
   }
@@ -111,7 +112,7 @@ void ObjectMover::drag_to(const Vec2& pixel) {
   for (const PlacedObject& each : placed) {
     if (!is_valid(each.placement)) return;  // beyond what places can be
   }
-  drag_of_session_.to(workspace_.with_objects_placed(begun_, placed));
+  drag_of_session_.to(with_objects_placed(workspace_, begun_, placed));
 }
 
 Verdict ObjectMover::finish() {

@@ -32,6 +32,20 @@ bool touches(const PointerEvent& event) {
   return event.buttons.left || event.pressure > 0 || bare_press;
 }
 
+PenSample sample_of(const PointerEvent& event, const PenOptions& options) {
+  if (!is_pen(event.device)) return {event.position, 1, event.tilt, event.time};
+  const double pressure = std::clamp(std::isfinite(event.pressure) ? event.pressure : 0.0, 0.0, 1.0);
+  return {event.position, std::pow(pressure, options.pressure_gamma), event.tilt, event.time};
+}
+
+/// A step of the owner's stroke.
+PenStep step_at(const PenStep& owner, PenStep::Kind kind, const PenSample& sample) {
+  PenStep step = owner;
+  step.kind = kind;
+  step.sample = sample;
+  return step;
+}
+
 }  // namespace
 
 std::vector<PenStep> PenInput::handle(const PointerEvent& event) {
@@ -51,7 +65,7 @@ std::vector<PenStep> PenInput::handle(const PointerEvent& event) {
 std::vector<PenStep> PenInput::settle(double now) {
   Steps steps;
   end_if_lost(now, steps);
-  if (phase_ == Phase::Waiting && now - samples_.front().time > options_.pressure_seconds) tell_waiting(1, steps);
+  if (phase_ == Phase::Waiting && now - samples_.front().time > options_.pressure_seconds) report_waiting(1, steps);
   if (!suspects_.empty() && now - suspects_.front().time > options_.twin_seconds) release_suspects(steps);
   return steps;
 }
@@ -192,64 +206,51 @@ void PenInput::release_suspects(Steps& steps) {
 
 // ---- The stroke
 
-PenSample PenInput::sample_of(const PointerEvent& event) const {
-  if (!is_pen(event.device)) return {event.position, 1, event.tilt, event.time};
-  const double pressure = std::clamp(std::isfinite(event.pressure) ? event.pressure : 0.0, 0.0, 1.0);
-  return {event.position, std::pow(pressure, options_.pressure_gamma), event.tilt, event.time};
-}
-
 void PenInput::begin(const PointerEvent& event, Steps& steps) {
   const bool erases = event.device == PointerEvent::Device::Eraser && options_.eraser_erases;
   const bool right = !is_pen(event.device) && event.buttons.right;
   owner_ = {PenStep::Kind::Begin, {}, event.device, erases, right, event.view, event.modifiers};
-  samples_ = {sample_of(event)};
+  samples_ = {sample_of(event, options_)};
   lost_since_.reset();
   if (is_pen(event.device)) pen_touches_ = true;
   has_pressure_ = samples_.front().pressure > 0;
   phase_ = has_pressure_ ? Phase::Drawing : Phase::Waiting;
-  if (has_pressure_) tell(PenStep::Kind::Begin, samples_.front(), steps);
+  if (has_pressure_) steps.push_back(step_at(owner_, PenStep::Kind::Begin, samples_.front()));
 }
 
 void PenInput::extend(const PointerEvent& event, Steps& steps) {
-  PenSample sample = sample_of(event);
+  PenSample sample = sample_of(event, options_);
   const PenSample& last = samples_.back();
   const bool repeats = sample.time == last.time && sample.position == last.position;
   if (phase_ == Phase::Waiting && sample.pressure > 0) {
     has_pressure_ = true;
-    tell_waiting(sample.pressure, steps);
+    report_waiting(sample.pressure, steps);
   }
   if (repeats || is_late(sample.time, samples_.back().time)) return;
   if (phase_ == Phase::Drawing) {
     has_pressure_ = has_pressure_ || sample.pressure > 0;
     if (!has_pressure_) sample.pressure = 1;
-    tell(PenStep::Kind::Sample, sample, steps);
+    steps.push_back(step_at(owner_, PenStep::Kind::Sample, sample));
   }
   samples_.push_back(sample);
   if (phase_ == Phase::Waiting && sample.time - samples_.front().time > options_.pressure_seconds)
-    tell_waiting(1, steps);
+    report_waiting(1, steps);
 }
 
-void PenInput::tell_waiting(double pressure, Steps& steps) {
+void PenInput::report_waiting(double pressure, Steps& steps) {
   phase_ = Phase::Drawing;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     samples_[i].pressure = pressure;
-    tell(i == 0 ? PenStep::Kind::Begin : PenStep::Kind::Sample, samples_[i], steps);
+    steps.push_back(step_at(owner_, i == 0 ? PenStep::Kind::Begin : PenStep::Kind::Sample, samples_[i]));
   }
 }
 
 void PenInput::finish(PenStep::Kind kind, double time, Steps& steps) {
-  if (phase_ == Phase::Waiting && kind == PenStep::Kind::End) tell_waiting(1, steps);
-  if (phase_ == Phase::Drawing) tell(kind, samples_.back(), steps);
+  if (phase_ == Phase::Waiting && kind == PenStep::Kind::End) report_waiting(1, steps);
+  if (phase_ == Phase::Drawing) steps.push_back(step_at(owner_, kind, samples_.back()));
   phase_ = Phase::Idle;
   lost_since_.reset();
   ended_ = std::max(time, samples_.back().time);
-}
-
-void PenInput::tell(PenStep::Kind kind, const PenSample& sample, Steps& steps) const {
-  PenStep step = owner_;
-  step.kind = kind;
-  step.sample = sample;
-  steps.push_back(step);
 }
 
 // ---- Copies of events

@@ -111,24 +111,6 @@ std::optional<ScreenSegment> project_segment(const ViewFrame& frame, const Vec3&
   return segment;
 }
 
-std::optional<std::pair<double, double>> part_in_box(const Vec2& a, const Vec2& b, const PickBox& box) {
-  double enter = 0;
-  double leave = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double step = b[axis] - a[axis];
-    if (step == 0) {
-      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return std::nullopt;
-      continue;
-    }
-    const double at_low = (box.low[axis] - a[axis]) / step;
-    const double at_high = (box.high[axis] - a[axis]) / step;
-    enter = std::max(enter, std::min(at_low, at_high));
-    leave = std::min(leave, std::max(at_low, at_high));
-  }
-  if (enter > leave) return std::nullopt;
-  return std::pair(enter, leave);
-}
-
 ScreenMesh::ScreenMesh(const PolyMesh& mesh, const ViewFrame& frame)
     : vertices(mesh.vertex_count()), shown(mesh.vertex_count(), 0) {
   for (std::size_t v = 0; v < vertices.size(); ++v) {

@@ -33,9 +33,6 @@ struct ScreenSegment {
 /// The edge from a place to another, cut at the near plane; nothing when all of it lies before that.
 std::optional<ScreenSegment> project_segment(const ViewFrame& frame, const Vec3& a, const Vec3& b);
 
-/// Whether some part of a segment lies in a box; the part if so.
-std::optional<std::pair<double, double>> part_in_box(const Vec2& a, const Vec2& b, const PickBox& box);
-
 /// All vertices of a mesh as a view shows them.
 struct ScreenMesh {
   std::vector<Projected> vertices;  ///< #V

@@ -7,6 +7,7 @@
 #include "croquis/geometry/predicates.h"
 
 namespace croquis {
+
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (segments_cross(a, b, c, d)) return 0;
   return std::min({(nearest_on_segment(a, c, d) - a).norm(), (nearest_on_segment(b, c, d) - b).norm(),
@@ -24,15 +25,13 @@ const Vec2& segment_end(const Stroke& stroke, std::size_t segment) {
   return stroke.samples[segment + 1 == stroke.samples.size() ? 0 : segment + 1].position;
 }
 
-/// Whether a segment and an upright box have a place in common: the parameters at which the segment is between both
-/// pairs of sides overlap.
-bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box) {
+std::optional<std::pair<double, double>> part_in_box(const Vec2& a, const Vec2& b, const PickBox& box) {
   double enter = 0;
   double leave = 1;
   for (int axis = 0; axis < 2; ++axis) {
     const double step = b[axis] - a[axis];
     if (step == 0) {
-      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return false;
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return std::nullopt;
       continue;
     }
     const double at_low = (box.low[axis] - a[axis]) / step;
@@ -40,7 +39,8 @@ bool meets_box(const Vec2& a, const Vec2& b, const PickBox& box) {
     enter = std::max(enter, std::min(at_low, at_high));
     leave = std::min(leave, std::max(at_low, at_high));
   }
-  return enter <= leave;
+  if (enter > leave) return std::nullopt;
+  return std::pair(enter, leave);
 }
 
 }  // namespace croquis

@@ -28,8 +28,8 @@ constexpr double small_loop_share = 0.12;
 constexpr double most_lengths = 4;
 
 /// At the seam, directions are taken over half the distance at which ends close by themselves to both sides, of large
-/// loops over this part of their length. Where an end heads for is told by more of it, but never by more than the
-/// other.
+/// loops over this part of their length. Where an end heads for is estimated from more of it, but never by more than
+/// the other.
 constexpr double seam_share = 0.0075;
 constexpr double most_heading_share = 1.0 / 16;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,12 +8,9 @@
 #include "croquis/geometry/drawing.h"
 #include "croquis/geometry/vector.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
+#include "croquis/tools/strokes/stroke_source.h"
 
 namespace croquis {
-
-inline bool contains(const std::vector<std::string>& ids, const std::string& id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
 
 /// Moves the samples near the first one so that it lies on `place`; the movement fades out smoothly over `run`, an arc
 /// length.

@@ -11,10 +11,27 @@
 #include "croquis/tools/strokes/stroke_source.h"
 #include "tools/silhouette/redraw.h"
 
-/// How the sketch tool's undo steps are called.
-
 namespace croquis {
+
+/// A gesture under way, and what lay under its beginning.
+struct SketchGesture {
+  enum class Kind { Draw, Erase, Press, Box, Anchor, Strokes, Setting };
+
+  Kind kind = Kind::Press;
+  SketchEvent start = {};                        ///< that began it
+  Vec2 last = Vec2::Zero();                      ///< where the pointer is
+  std::string picked = {};                       ///< stroke under the press, empty for none
+  std::optional<std::size_t> anchor = {};        ///< of `picked`, under the press
+  std::shared_ptr<const Drawing> original = {};  ///< before the drag
+  StrokeFit held_fit = {};                       ///< of `picked` before the drag
+
+  Vec2 way() const { return last - start.sample.position; }
+  PickBox box() const { return PickBox::spanned(start.sample.position, last); }
+};
+
 namespace {
+
+// How undo steps are called.
 
 std::string named(const std::string& id) { return id.starts_with("stroke ") ? id : "stroke " + id; }
 
@@ -64,123 +81,172 @@ double extent(const std::vector<StrokeSample>& samples) {
 SketchTool::SketchTool(Session& session, SketchToolOptions options)
     : session_(session), options_(std::move(options)), drag_(session) {}
 
+SketchTool::~SketchTool() = default;
+
 void SketchTool::set_mode(SketchMode mode) {
   give_up();
   mode_ = mode;
 }
 
+// ---- Gestures
+
 Verdict SketchTool::handle(const SketchEvent& event) {
   const bool finite = event.sample.position.allFinite() && event.units_per_pixel > 0;
-  if (event.kind == PenStep::Kind::Cancel) return give_up();
-  if (event.kind == PenStep::Kind::Begin) return finite ? begin(event) : give_up();
-  if (gesture_ == Gesture::None) return Verdict::Continue;
+  const bool begins = event.kind == PenStep::Kind::Begin;
+  if (event.kind == PenStep::Kind::Cancel || (begins && !finite)) return give_up();
+  if (begins) {
+    give_up();
+    begin(event);
+    return Verdict::Continue;
+  }
+  if (!gesture_) return Verdict::Continue;
   if (drag_.interrupted()) return give_up();
-  if (event.kind == PenStep::Kind::End) return finish(event);
-  return finite ? go_on(event) : Verdict::Continue;
-}
-
-Verdict SketchTool::begin(const SketchEvent& event) {
-  give_up();
-  start_ = event;
-  last_ = event.sample.position;
-  if (event.erases || mode_ == SketchMode::Erase) {
-    gesture_ = Gesture::Erase;
-    go_on(event);
-  } else if (mode_ == SketchMode::Draw) {
-    gesture_ = Gesture::Draw;
-    preview_.ink = {event.sample};
-    preview_.behind = event.right || event.modifiers.shift;
-  } else {
-    press(event);
-  }
-  return Verdict::Continue;
-}
-
-Verdict SketchTool::go_on(const SketchEvent& event) {
-  const Vec2 place = event.sample.position;
-  if (gesture_ == Gesture::Draw) preview_.ink.push_back(event.sample);
-  if (gesture_ == Gesture::Erase) {
-    // Only the newest step of the path is tried: the rest was when it came.
-    const auto now = drawing();
-    const std::vector<Vec2> step{last_, place};
-    for (auto& piece : now ? erased_pieces(*now, step, eraser_radius()) : std::vector<std::vector<Vec2>>())
-      preview_.erased.push_back(std::move(piece));
-    preview_.eraser.push_back(place);
-  }
-  last_ = place;
-  const double moved = (place - start_.sample.position).norm();
-  if (gesture_ == Gesture::Press && moved > options_.drag_pixels * start_.units_per_pixel) start_drag();
-  if (gesture_ == Gesture::Anchor || gesture_ == Gesture::Strokes) drag_to(place);
-  if (gesture_ == Gesture::Box) preview_.box = PickBox::spanned(start_.sample.position, place);
-  return Verdict::Continue;
-}
-
-Verdict SketchTool::finish(const SketchEvent&) {
-  switch (gesture_) {
-    case Gesture::Draw: return finish_drawing();
-    case Gesture::Erase: return finish_erasing();
-    case Gesture::Press: return finish_click();
-    case Gesture::Box: return finish_box();
-    case Gesture::Anchor:
-    case Gesture::Strokes: return finish_drag();
-    case Gesture::Setting:
-    case Gesture::None: break;
-  }
+  if (event.kind == PenStep::Kind::End) return finish();
+  if (finite) go_on(event);
   return Verdict::Continue;
 }
 
 Verdict SketchTool::give_up() {
-  if (gesture_ == Gesture::None) return Verdict::Continue;
-  end_gesture();
+  if (!gesture_) return Verdict::Continue;
+  gesture_.reset();
+  preview_ = {};
   drag_.cancel();
   return Verdict::Revert;
 }
 
-void SketchTool::end_gesture() {
-  gesture_ = Gesture::None;
-  preview_ = {};
-  original_.reset();
+void SketchTool::begin(const SketchEvent& event) {
+  gesture_ = std::make_unique<SketchGesture>();
+  SketchGesture& now = *gesture_;
+  now.start = event;
+  now.last = event.sample.position;
+  if (event.erases || mode_ == SketchMode::Erase) {
+    now.kind = SketchGesture::Kind::Erase;
+    return go_on(event);
+  }
+  if (mode_ == SketchMode::Draw) {
+    now.kind = SketchGesture::Kind::Draw;
+    preview_.ink = {event.sample};
+    preview_.behind = event.right || event.modifiers.shift;
+    return;
+  }
+  now.original = drawing();
+  if (!now.original) return;
+  PickReach reach = options_.reach;
+  reach.units_per_pixel = event.units_per_pixel;
+  for (const std::string& id : selected()) {
+    const StrokeFit* selected_fit = fit(id);
+    if (selected_fit == nullptr) continue;
+    now.anchor = nearest_anchor(selected_fit->anchors, event.sample.position, reach);
+    if (!now.anchor) continue;
+    now.picked = id;
+    now.held_fit = *selected_fit;
+    return;
+  }
+  if (const auto picked = nearest_stroke(*now.original, event.sample.position, reach)) now.picked = picked->id;
 }
 
-// ---- Drawing and erasing
+void SketchTool::go_on(const SketchEvent& event) {
+  SketchGesture& now = *gesture_;
+  const double unit = now.start.units_per_pixel;
+  const Vec2 before = std::exchange(now.last, event.sample.position);
+  if (now.kind == SketchGesture::Kind::Draw) preview_.ink.push_back(event.sample);
+  if (now.kind == SketchGesture::Kind::Erase) {
+    // Only the newest step of the path is tried: the rest was when it came.
+    const auto drawn = drawing();
+    const std::vector<Vec2> step{before, now.last};
+    for (auto& piece :
+         drawn ? erased_pieces(*drawn, step, options_.eraser_pixels * unit) : std::vector<std::vector<Vec2>>())
+      preview_.erased.push_back(std::move(piece));
+    preview_.eraser.push_back(now.last);
+  }
+  if (now.kind == SketchGesture::Kind::Press && now.way().norm() > options_.drag_pixels * unit) start_drag();
+  if (now.kind == SketchGesture::Kind::Box) preview_.box = now.box();
+  if (now.kind != SketchGesture::Kind::Anchor && now.kind != SketchGesture::Kind::Strokes) return;
+  DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
+                                : move_strokes(*now.original, selected(), now.way());
+  drag_.to(with_drawing(std::move(edit.drawing)));
+}
 
-Verdict SketchTool::finish_drawing() {
-  const std::vector<StrokeSample> ink = std::move(preview_.ink);
-  const bool behind = preview_.behind;
-  end_gesture();
+void SketchTool::start_drag() {
+  SketchGesture& now = *gesture_;
+  now.kind = now.picked.empty() ? SketchGesture::Kind::Box
+             : now.anchor       ? SketchGesture::Kind::Anchor
+                                : SketchGesture::Kind::Strokes;
+  if (now.kind == SketchGesture::Kind::Box) return;
+  if (!now.anchor && !contains(selected(), now.picked)) {
+    std::vector<std::string> ids = now.start.modifiers.shift ? selected() : std::vector<std::string>{};
+    ids.push_back(now.picked);
+    select_ids(session_, node(), ids);
+  }
+  preview_.held_stroke = now.picked;
+  preview_.held_anchor = now.anchor;
+  drag_.begin(now.anchor ? point_label(now.picked) : strokes_label("Move", selected()));
+}
+
+Verdict SketchTool::finish() {
+  if (gesture_->kind == SketchGesture::Kind::Setting) return Verdict::Continue;
+  const std::unique_ptr<const SketchGesture> gesture = std::exchange(gesture_, nullptr);
+  const SketchPreview drawn = std::exchange(preview_, {});
+  if (gesture->kind == SketchGesture::Kind::Draw) return finish_drawing(*gesture, drawn);
+  if (gesture->kind == SketchGesture::Kind::Erase) return finish_erasing(*gesture, drawn);
+  if (drag_.begun()) {
+    done_ = recorded::Drag{gesture->picked, gesture->anchor, gesture->way()};
+    drag_.end();
+    return Verdict::Commit;
+  }
+  const Vec2& from = gesture->start.sample.position;
+  const std::vector<std::string> modifiers = modifier_names(gesture->start.modifiers);
+  std::vector<std::string> ids = gesture->start.modifiers.shift ? selected() : std::vector<std::string>{};
+  if (gesture->kind == SketchGesture::Kind::Box) {
+    const auto now = drawing();
+    for (std::string& id : now ? strokes_in_box(*now, gesture->box()) : std::vector<std::string>())
+      ids.push_back(std::move(id));
+    done_ = recorded::Box{"sketch", from, gesture->last, modifiers};
+  } else {
+    if (!gesture->picked.empty() && std::erase(ids, gesture->picked) == 0) ids.push_back(gesture->picked);
+    done_ = recorded::Click{"sketch", from, modifiers};
+  }
+  select_ids(session_, node(), ids);
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::commit(const std::string& label, Document document, recorded::Step step) {
+  done_ = std::move(step);
+  session_.edit(label, std::move(document));
+  return Verdict::Commit;
+}
+
+Verdict SketchTool::finish_drawing(const SketchGesture& gesture, const SketchPreview& drawn) {
+  const SketchEvent& start = gesture.start;
   // A tap is no stroke: it would only be reported as too short.
-  if (extent(ink) <= options_.drag_pixels * start_.units_per_pixel) return Verdict::Revert;
+  if (extent(drawn.ink) <= options_.drag_pixels * start.units_per_pixel) return Verdict::Revert;
   const auto before = drawing();
   DrawOptions options;
-  options.units_per_pixel = start_.units_per_pixel;
-  options.redraws = !start_.modifiers.ctrl;
-  options.behind = behind;
-  DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, ink, options);
+  options.units_per_pixel = start.units_per_pixel;
+  options.redraws = !start.modifiers.ctrl;
+  options.behind = drawn.behind;
+  DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, drawn.ink, options);
   const std::string label =
       edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
-  recorded::StrokeDrawn drawn{"sketch", ink, device_name(start_), start_.units_per_pixel, behind};
-  for (StrokeSample& sample : drawn.points) sample.time -= ink.front().time;
-  done_ = std::move(drawn);
-  session_.edit(label, with_drawing(std::move(edit.drawing)));
-  return Verdict::Commit;
+  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind};
+  for (StrokeSample& sample : step.points) sample.time -= drawn.ink.front().time;
+  return commit(label, with_drawing(std::move(edit.drawing)), std::move(step));
 }
 
-Verdict SketchTool::finish_erasing() {
-  const std::vector<Vec2> path = std::move(preview_.eraser);
-  const bool touched = !preview_.erased.empty();
-  end_gesture();
+Verdict SketchTool::finish_erasing(const SketchGesture& gesture, const SketchPreview& drawn) {
+  const SketchEvent& start = gesture.start;
   const auto before = drawing();
-  if (!before || !touched) return Verdict::Revert;
-  DrawingEdit edit = erase_along(*before, path, eraser_radius());
+  if (!before || drawn.erased.empty()) return Verdict::Revert;
+  DrawingEdit edit = erase_along(*before, drawn.eraser, options_.eraser_pixels * start.units_per_pixel);
   if (!edit.any()) return Verdict::Revert;
-  recorded::StrokeDrawn drawn{"sketch", {}, device_name(start_), start_.units_per_pixel};
-  for (const Vec2& place : path) drawn.points.push_back({place, 1, Vec2::Zero(), 0});
-  done_ = std::move(drawn);
+  recorded::StrokeDrawn step{"sketch", {}, device_name(start), start.units_per_pixel};
+  for (const Vec2& place : drawn.eraser) step.points.push_back({place, 1, Vec2::Zero(), 0});
   const std::string label =
       edit.changed.empty() ? strokes_label("Erase", edit.removed) : strokes_label("Erase part of", edit.changed);
-  session_.edit(label, without_strokes(std::move(edit)));
-  return Verdict::Commit;
+  return commit(label, without_strokes(std::move(edit)), std::move(step));
 }
+
+// ---- Commands
 
 Verdict SketchTool::delete_selected() {
   give_up();
@@ -188,90 +254,8 @@ Verdict SketchTool::delete_selected() {
   if (!before) return Verdict::Continue;
   DrawingEdit edit = remove_strokes(*before, selected());
   if (!edit.any()) return Verdict::Continue;
-  done_ = recorded::Action{"delete"};
   const std::string label = strokes_label("Delete", edit.removed);
-  session_.edit(label, without_strokes(std::move(edit)));
-  return Verdict::Commit;
-}
-
-// ---- Selecting and dragging
-
-void SketchTool::press(const SketchEvent& event) {
-  gesture_ = Gesture::Press;
-  picked_.clear();
-  anchor_.reset();
-  original_ = drawing();
-  if (!original_) return;
-  PickReach reach = options_.reach;
-  reach.units_per_pixel = event.units_per_pixel;
-  for (const std::string& id : selected()) {
-    const StrokeFit* selected_fit = fit(id);
-    if (selected_fit == nullptr) continue;
-    anchor_ = nearest_anchor(selected_fit->anchors, event.sample.position, reach);
-    if (!anchor_) continue;
-    picked_ = id;
-    held_fit_ = *selected_fit;
-    return;
-  }
-  if (const auto picked = nearest_stroke(*original_, event.sample.position, reach)) picked_ = picked->id;
-}
-
-void SketchTool::start_drag() {
-  if (picked_.empty()) {
-    gesture_ = Gesture::Box;
-    return;
-  }
-  if (!anchor_ && !contains(selected(), picked_)) {
-    std::vector<std::string> ids = start_.modifiers.shift ? selected() : std::vector<std::string>{};
-    ids.push_back(picked_);
-    select_strokes(ids);
-  }
-  gesture_ = anchor_ ? Gesture::Anchor : Gesture::Strokes;
-  preview_.held_stroke = picked_;
-  preview_.held_anchor = anchor_;
-  drag_.begin(anchor_ ? point_label(picked_) : strokes_label("Move", selected()));
-}
-
-void SketchTool::drag_to(const Vec2& place) {
-  const Vec2 by = place - start_.sample.position;
-  DrawingEdit edit =
-      anchor_ ? drag_anchor(*original_, picked_, held_fit_, *anchor_, by) : move_strokes(*original_, selected(), by);
-  drag_.to(with_drawing(std::move(edit.drawing)));
-}
-
-Verdict SketchTool::finish_drag() {
-  done_ = recorded::Drag{picked_, anchor_, last_ - start_.sample.position};
-  end_gesture();
-  drag_.end();
-  return Verdict::Commit;
-}
-
-Verdict SketchTool::finish_click() {
-  const std::string id = picked_;
-  end_gesture();
-  const bool shift = start_.modifiers.shift;
-  std::vector<std::string> ids = shift ? selected() : std::vector<std::string>{};
-  if (shift && contains(ids, id)) {
-    std::erase(ids, id);
-  } else if (!id.empty()) {
-    ids.push_back(id);
-  }
-  done_ = recorded::Click{"sketch", start_.sample.position, modifier_names(start_.modifiers)};
-  select_strokes(ids);
-  return Verdict::Commit;
-}
-
-Verdict SketchTool::finish_box() {
-  const PickBox box = PickBox::spanned(start_.sample.position, last_);
-  end_gesture();
-  const auto now = drawing();
-  std::vector<std::string> ids = start_.modifiers.shift ? selected() : std::vector<std::string>{};
-  if (now) {
-    for (std::string& id : strokes_in_box(*now, box)) ids.push_back(std::move(id));
-  }
-  done_ = recorded::Box{"sketch", start_.sample.position, last_, modifier_names(start_.modifiers)};
-  select_strokes(ids);
-  return Verdict::Commit;
+  return commit(label, without_strokes(std::move(edit)), recorded::Action{"delete"});
 }
 
 void SketchTool::select_all() {
@@ -280,7 +264,7 @@ void SketchTool::select_all() {
   if (now) {
     for (const Stroke& stroke : now->strokes) ids.push_back(stroke.id);
   }
-  select_strokes(ids);
+  select_ids(session_, node(), ids);
 }
 
 Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> anchor, const Vec2& by) {
@@ -295,13 +279,12 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
   std::vector<std::string> ids = selected();
   if (!contains(ids, stroke)) ids = {stroke};
   DrawingEdit edit = anchor ? drag_anchor(*before, stroke, *stroke_fit, *anchor, by) : move_strokes(*before, ids, by);
-  done_ = recorded::Drag{stroke, anchor, by};
-  session_.edit(anchor ? point_label(stroke) : strokes_label("Move", ids), with_drawing(std::move(edit.drawing)));
-  return Verdict::Commit;
+  return commit(anchor ? point_label(stroke) : strokes_label("Move", ids), with_drawing(std::move(edit.drawing)),
+                recorded::Drag{stroke, anchor, by});
 }
 
 Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
-  const bool goes_on = gesture_ == Gesture::Setting;
+  const bool goes_on = gesture_ && gesture_->kind == SketchGesture::Kind::Setting;
   if (!goes_on) give_up();
   if (goes_on && drag_.interrupted()) return give_up();
   const auto before = drawing();
@@ -311,14 +294,13 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   DrawingEdit edit = setting.kind          ? set_kind(now, id, *setting.kind)
                      : setting.in_front_of ? set_in_front(now, id, *setting.in_front_of)
                                            : set_thickness(now, id, setting.thickness.value_or(1));
-  if (dragging && !goes_on) drag_.begin(setting_label(setting));
-  if (dragging || goes_on)
-    drag_.to(with_drawing(std::move(edit.drawing)));
-  else
-    session_.edit(setting_label(setting), with_drawing(std::move(edit.drawing)));
-  gesture_ = dragging ? Gesture::Setting : Gesture::None;
+  Document document = with_drawing(std::move(edit.drawing));
+  if (!dragging && !goes_on) return commit(setting_label(setting), std::move(document), setting);
+  if (!goes_on) drag_.begin(setting_label(setting));
+  drag_.to(std::move(document));
+  gesture_ = dragging ? std::make_unique<SketchGesture>(SketchGesture{SketchGesture::Kind::Setting, {}, {}}) : nullptr;
   if (dragging) return Verdict::Continue;
-  if (goes_on) drag_.end();
+  drag_.end();
   done_ = setting;
   return Verdict::Commit;
 }
@@ -367,16 +349,15 @@ std::vector<std::string> SketchTool::selected() const {
   return now ? selected_ids(session_, node(), now->strokes) : std::vector<std::string>();
 }
 
-void SketchTool::select_strokes(const std::vector<std::string>& ids) { select_ids(session_, node(), ids); }
-
 const StrokeFit* SketchTool::fit(const std::string& id) {
   const auto now = drawing();
   const Stroke* stroke = now ? find_stroke(*now, id) : nullptr;
   if (stroke == nullptr || stroke->samples.empty()) return nullptr;
   KeptFit& kept = fits_[id];
-  if (gesture_ == Gesture::Anchor && id == picked_ && !drag_.interrupted()) {
-    kept = {{}, held_fit_};
-    kept.fit.anchors[*anchor_].position += last_ - start_.sample.position;
+  const bool is_held = gesture_ && gesture_->kind == SketchGesture::Kind::Anchor && id == gesture_->picked;
+  if (is_held && !drag_.interrupted()) {
+    kept = {{}, gesture_->held_fit};
+    kept.fit.anchors[*gesture_->anchor].position += gesture_->way();
   } else if (!same_samples(kept.samples, stroke->samples)) {
     kept = {stroke->samples, fit_in_drawing(*now, *stroke)};
   }

@@ -270,7 +270,7 @@ class Residuals {
     }
   }
 
-  void tell(StrokeFit& fit) const {
+  void write_to(StrokeFit& fit) const {
     fit.rms = std::sqrt(smooth_ / static_cast<double>(smooth_count_));
     fit.raw_rms = std::sqrt(drawn_ / static_cast<double>(drawn_count_));
     fit.largest = std::sqrt(largest_);
@@ -351,7 +351,7 @@ StrokeFit fit_stroke(const Stroke& stroke, const FitOptions& options) {
   } else {
     fit.anchors.push_back({points.smooth.back(), points.samples.back(), false});
   }
-  residuals.tell(fit);
+  residuals.write_to(fit);
   return fit;
 }
 

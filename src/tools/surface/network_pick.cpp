@@ -9,6 +9,7 @@
 
 #include "croquis/attribute_surface/arc_length_curve.h"
 #include "croquis/geometry/polyline.h"
+#include "tools/pointer/segment_distance.h"
 
 namespace croquis {
 namespace {
@@ -16,10 +17,8 @@ namespace {
 constexpr double edge_on = 3 * std::numbers::pi / 180;  // a plane seen flatter than that can't be pointed at
 constexpr double too_flat = 15 * std::numbers::pi / 180;
 
-Vec3 line_of_sight(const ViewFrame& frame, const Vec3& place) { return frame.to_eye(place); }
-
 constexpr std::size_t seen_parts = 48;  // of a curve
-constexpr double as_near_pixels = 1.5;  // what differs by less is told apart by depth
+constexpr double as_near_pixels = 1.5;  // what differs by less is ordered by depth
 
 /// Keeps the nearest candidate: in the view, and of those about as near there the one before the others.
 class NearestSeen {
@@ -79,30 +78,11 @@ std::vector<Vec3> places_along(const std::vector<Vec3>& control) {
   return places;
 }
 
-bool is_in(const PickBox& box, const Vec2& pixel) {
-  return (pixel.array() >= box.low.array()).all() && (pixel.array() <= box.high.array()).all();
-}
-
-/// Whether a segment has some part in a box (Liang and Barsky).
-bool meets(const PickBox& box, const Vec2& a, const Vec2& b) {
-  double from = 0, to = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double way = b[axis] - a[axis];
-    if (way == 0 && (a[axis] < box.low[axis] || a[axis] > box.high[axis])) return false;
-    if (way == 0) continue;
-    const double enter = (box.low[axis] - a[axis]) / way;
-    const double leave = (box.high[axis] - a[axis]) / way;
-    from = std::max(from, std::min(enter, leave));
-    to = std::min(to, std::max(enter, leave));
-  }
-  return from <= to;
-}
-
 bool curve_in_box(const std::vector<Vec3>& places, const ViewFrame& frame, const PickBox& box) {
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const auto a = frame.project(places[i]);
     const auto b = frame.project(places[i + 1]);
-    if (a && b && meets(box, a->pixel, b->pixel)) return true;
+    if (a && b && meets_box(a->pixel, b->pixel, box)) return true;
   }
   return false;
 }
@@ -126,7 +106,7 @@ SpacePlane view_plane(const ViewFrame& frame, const Vec3& place) {
 
 SpacePlane plane_through(const ViewFrame& frame, const Vec3& a, const Vec3& b) {
   const Vec3 chord = b - a;
-  const Vec3 to_eye = line_of_sight(frame, (a + b) / 2);
+  const Vec3 to_eye = frame.to_eye((a + b) / 2);
   const Vec3 across = to_eye - chord * (chord.dot(to_eye) / std::max(chord.squaredNorm(), 1e-300));
   if (!(chord.norm() > 0) || across.norm() < std::sin(edge_on)) return view_plane(frame, a);
   return {a, across.normalized()};
@@ -203,7 +183,7 @@ NetworkElements elements_in_box(const AttributeNetwork& network, const ViewFrame
   NetworkElements found;
   const auto seen_inside = [&](const Vec3& place) {
     const auto seen = frame.project(place);
-    return seen && is_in(box, seen->pixel);
+    return seen && box.has(seen->pixel);
   };
   for (const AttributeNode& node : network.nodes) {
     if (seen_inside(node.point)) found.nodes.push_back(node.id);

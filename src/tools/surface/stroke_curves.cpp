@@ -14,7 +14,7 @@ namespace croquis {
 namespace {
 
 constexpr double spacing_pixels = 2;       // of the places that a stroke is worked on with
-constexpr double least_step_pixels = 3;    // between places that tell a direction
+constexpr double least_step_pixels = 3;    // between places that have a direction
 constexpr int steadying_passes = 6;        // moves a place by less than the jitter of a hand
 constexpr double closing_pixels = 14;      // ends this near are meant to meet …
 constexpr double closing_miss = 0.05;      // … or this near × the stroke's length …

@@ -18,14 +18,14 @@ using test::TestCamera;
 
 /// Every hole once, no two pins over each other, none far from its place.
 void check_layout(const std::vector<HolePin>& pins, std::size_t holes, const HolePinOptions& options) {
-  std::multiset<Index> told;
+  std::multiset<Index> pinned;
   for (const HolePin& pin : pins) {
-    told.insert(pin.holes.begin(), pin.holes.end());
+    pinned.insert(pin.holes.begin(), pin.holes.end());
     CHECK(std::binary_search(pin.holes.begin(), pin.holes.end(), pin.hole));
     CHECK((pin.pixel - pin.anchor).norm() <= options.most_moved + 1e-9);
   }
-  CHECK(told.size() == holes);
-  CHECK(std::set<Index>(told.begin(), told.end()).size() == holes);
+  CHECK(pinned.size() == holes);
+  CHECK(std::set<Index>(pinned.begin(), pinned.end()).size() == holes);
   double nearest = 1e300;
   for (std::size_t i = 0; i < pins.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (pins[i].pixel - pins[j].pixel).norm());
@@ -85,7 +85,7 @@ TEST_CASE("a pin with room stands at its hole") {
   }
 }
 
-TEST_CASE("pins tell holes that face away and holes that are hidden") {
+TEST_CASE("pins show which holes face away and holes that are hidden") {
   TestCamera camera;
   std::vector<HoleRim> rims = {test::ring(0, {-1, 0, 0}, 0.2), test::ring(1, {0, 0, 0}, 0.2),
                                test::ring(2, {1, 0, 0}, 0.2)};

@@ -10,6 +10,8 @@
 #include "croquis/operators/all_operations.h"
 #include "croquis/tools/mesh/mesh_tool.h"
 #include "croquis/workspace/chain.h"
+#include "croquis/workspace/object_commands.h"
+#include "croquis/workspace/step_commands.h"
 #include "support/main_loop.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
@@ -40,8 +42,8 @@ struct Bench {
 
   Bench(const PolyMesh& mesh, bool computed) {
     camera.eye = {2.6, 2.2, 4};
-    source = workspace.add_source("box", std::make_shared<const PolyMesh>(mesh));
-    tool.set_node(computed ? workspace.add_step(source, "copy") : source);
+    source = add_source(workspace, "box", std::make_shared<const PolyMesh>(mesh));
+    tool.set_node(computed ? add_step(workspace, source, "copy") : source);
     settle();
   }
 
@@ -223,7 +225,7 @@ TEST_CASE("a step of edits that is off is left alone: new edits go after it") {
   Bench bench(test::cube(), true);
   bench.apply("inset faces=1 width=0.1");
   const NodeId first = bench.tool.editable().node();
-  bench.workspace.enable_step(first, false);
+  enable_step(bench.workspace, first, false);
   bench.settle();
   CHECK(bench.mesh().face_count() == 6);
   bench.apply("extrude faces=0 distance=1");

@@ -22,8 +22,8 @@ struct Stage {
 
   Stage() {
     camera.eye = {3, 4, 12};
-    near = workspace.add_source("near", std::make_shared<const PolyMesh>(test::cube()));
-    far = workspace.add_source("far", std::make_shared<const PolyMesh>(test::translated(test::cube(), {3, 0, 0})));
+    near = add_source(workspace, "near", std::make_shared<const PolyMesh>(test::cube()));
+    far = add_source(workspace, "far", std::make_shared<const PolyMesh>(test::translated(test::cube(), {3, 0, 0})));
   }
 
   Verdict send(Kind kind, const Vec2& pixel, const Modifiers& modifiers = {}) {
@@ -73,7 +73,7 @@ TEST_CASE("object mover: picked objects move together along an axis as one step,
 
 TEST_CASE("object mover: one object scales along its own axes about its middle, several keep their shapes") {
   Stage stage;
-  stage.workspace.place_objects({{stage.near, {{0, 0, 0}, {0, 0, 30}, {1, 1, 1}}}});
+  place_objects(stage.workspace, {{stage.near, {{0, 0, 0}, {0, 0, 30}, {1, 1, 1}}}});
   stage.pick({stage.near});
   stage.mover.set_kind(ManipulatorKind::Scale);
   const Vec3 middle = stage.placement(stage.near).map()({0.5, 0.5, 0.5});
@@ -107,7 +107,7 @@ TEST_CASE(
   stage.workspace.session().select({});
   CHECK_FALSE(stage.mover.manipulator());
   stage.pick({stage.near, stage.far});
-  stage.workspace.show_objects({stage.far}, false);
+  show_objects(stage.workspace, {stage.far}, false);
   CHECK((stage.mover.manipulator()->pivot - Vec3(0.5, 0.5, 0.5)).norm() < 1e-12);
   stage.send(Kind::Begin, {5, 5});
   CHECK_FALSE(stage.mover.active());

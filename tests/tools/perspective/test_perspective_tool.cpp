@@ -146,27 +146,27 @@ TEST_CASE("the eraser deletes what it touches in any mode") {
 TEST_CASE("lists of the operation hold what was chosen, and nothing when it was taken off") {
   Hand hand;
   hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
-  CHECK(hand.tool.choose("sharp", "e00", true) == Verdict::Commit);
-  CHECK(hand.tool.choose("sharp", "e01", true) == Verdict::Commit);
-  CHECK(hand.tool.choose("sharp", "e01", true) == Verdict::Continue);
+  CHECK(hand.tool.take(recorded::SheetChoice{"sharp", "e00", true}) == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SheetChoice{"sharp", "e01", true}) == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SheetChoice{"sharp", "e01", true}) == Verdict::Continue);
   const auto parameters = [&] { return hand.session.document().find(hand.tool.operation_node())->parameters; };
   CHECK(std::get<std::string>(parameters().at("sharp")) == "e00;e01");
-  hand.tool.choose("sharp", "e00", false);
+  hand.tool.take(recorded::SheetChoice{"sharp", "e00", false});
   CHECK(!hand.tool.is_chosen("sharp", "e00"));
   CHECK(hand.tool.is_chosen("sharp", "e01"));
-  hand.tool.choose("sharp", "e01", false);
+  hand.tool.take(recorded::SheetChoice{"sharp", "e01", false});
   CHECK(!parameters().contains("sharp"));
 }
 
 TEST_CASE("what isn't there or can't be is refused, and nothing changes") {
   Hand hand;
-  CHECK_THROWS_AS(hand.tool.remove({"s1"}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetDelete{{"s1"}}), Error);
   hand.open(plain_drawing(test::box(), test::three_point_views()[1]).drawing);
   const PerspectiveDrawing before = *hand.tool.drawing();
-  CHECK_THROWS_AS(hand.tool.drag("nobody", 0, {1, 1}), Error);
-  CHECK_THROWS_AS(hand.tool.set_known_length("e00", -1.0), Error);
-  CHECK_THROWS_AS(hand.tool.set_camera(4.0, std::nullopt), Error);
-  CHECK_THROWS_AS(hand.tool.complete_mirrored({0, 1}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetDrag{"nobody", 0, {1, 1}}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetLength{"e00", -1.0}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetCamera{4.0, {}}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetMirror{{0, 1}, {}}), Error);
   CHECK(same_drawing(*hand.tool.drawing(), before));
   CHECK(!hand.session.can_undo());
 }
@@ -218,9 +218,8 @@ TEST_CASE("a recording of gestures makes the same drawing") {
     hand.tool.set_group(stroke.group);
     if (hand.drag(test::hand_drawn(stroke.pieces, random, 3)) != Verdict::Commit) continue;
     const recorded::Step step = recorded_again(*hand.tool.done());
-    const auto* drawn = step.as<recorded::SheetStroke>();
-    REQUIRE(drawn != nullptr);
-    replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role, drawn->groups);
+    REQUIRE(step.as<recorded::SheetStroke>() != nullptr);
+    replayed.tool.take(step);
   }
   REQUIRE(hand.tool.drawing()->strokes.size() >= 20);
   CHECK(same_drawing(*hand.tool.drawing(), *replayed.tool.drawing()));
@@ -231,19 +230,19 @@ TEST_CASE("a recording of gestures makes the same drawing") {
 TEST_CASE("changing the unit keeps known lengths at their size, and choosing faces is one step back") {
   Hand hand;
   hand.line({100, 100}, {400, 90});
-  hand.tool.set_unit("mm");
-  hand.tool.set_known_length("s1", 120.0);
-  hand.tool.set_known_point(KnownPoint{{100, 100}, {10, 20, 30}});
-  CHECK(hand.tool.set_unit("cm") == Verdict::Commit);
+  hand.tool.take(recorded::SheetUnit{"mm"});
+  hand.tool.take(recorded::SheetLength{"s1", 120.0});
+  hand.tool.take(recorded::SheetPoint{KnownPoint{{100, 100}, {10, 20, 30}}});
+  CHECK(hand.tool.take(recorded::SheetUnit{"cm"}) == Verdict::Commit);
   CHECK(hand.tool.drawing()->known_lengths[0].length == Approx(12));
   CHECK((hand.tool.drawing()->known_point->point - Vec3(1, 2, 3)).norm() < 1e-12);
-  CHECK(hand.tool.set_unit("cm") == Verdict::Continue);
-  CHECK_THROWS_AS(hand.tool.set_unit("furlong"), Error);
+  CHECK(hand.tool.take(recorded::SheetUnit{"cm"}) == Verdict::Continue);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SheetUnit{"furlong"}), Error);
   hand.session.undo();
   CHECK(hand.tool.drawing()->known_lengths[0].length == 120);
 
-  hand.tool.choose("faces", "s1+s2+s3", true);
-  CHECK(hand.tool.choose_faces({"s4+s5+s6"}, {"s1+s2+s3"}) == Verdict::Commit);
+  hand.tool.take(recorded::SheetChoice{"faces", "s1+s2+s3", true});
+  CHECK(hand.tool.take(recorded::SheetFaces{{"s4+s5+s6"}, {"s1+s2+s3"}}) == Verdict::Commit);
   CHECK(hand.tool.is_chosen("faces", "s4+s5+s6"));
   CHECK_FALSE(hand.tool.is_chosen("faces", "s1+s2+s3"));
   CHECK(hand.tool.is_chosen("no-faces", "s1+s2+s3"));
@@ -274,14 +273,7 @@ TEST_CASE("a replay that knows nothing of the camera gives automatic strokes and
   hand.tool.set_solved(std::make_shared<const SolvedDrawing>(truth_of(truth)));
   test::Random random(6);
   std::size_t guessed = 0;
-  const auto replay_last = [&] {
-    const recorded::Step step = recorded_again(*hand.tool.done());
-    if (const auto* mirror = step.as<recorded::SheetMirror>())
-      return replayed.tool.complete_mirrored(mirror->plane, mirror->strokes);
-    const auto* drawn = step.as<recorded::SheetStroke>();
-    REQUIRE(drawn != nullptr);
-    return replayed.tool.draw(drawn->points, drawn->scale, drawn->group, drawn->role, drawn->groups);
-  };
+  const auto replay_last = [&] { return replayed.tool.take(recorded_again(*hand.tool.done())); };
   double low = 1e9, high = -1e9;
   for (const Vec3& vertex : truth.network.vertices) {
     low = std::min(low, vertex.y());
@@ -321,11 +313,10 @@ TEST_CASE("a replay that knows nothing of the camera gives automatic strokes and
     one->open(half);
   }
   named.tool.set_solved(std::make_shared<const SolvedDrawing>(found));
-  REQUIRE(named.tool.complete_mirrored(plane) == Verdict::Commit);
+  REQUIRE(named.tool.take(recorded::SheetMirror{plane, {}}) == Verdict::Commit);
   const recorded::Step step = recorded_again(*named.tool.done());
-  const auto* mirror = step.as<recorded::SheetMirror>();
-  REQUIRE(mirror->strokes.size() > 5);
-  REQUIRE(mirrored.tool.complete_mirrored(mirror->plane, mirror->strokes) == Verdict::Commit);
+  REQUIRE(step.as<recorded::SheetMirror>()->strokes.size() > 5);
+  REQUIRE(mirrored.tool.take(step) == Verdict::Commit);
   CHECK(same_drawing(*named.tool.drawing(), *mirrored.tool.drawing()));
 }
 

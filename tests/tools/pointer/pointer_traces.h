@@ -21,7 +21,7 @@ struct DriverTrace {
 
 PointerEvent pointer(PointerEvent::Device device, PointerEvent::Action action, const Vec2& position, double time);
 
-/// One stroke of `points` samples at 300 Hz beginning at `start`, as six kinds of drivers tell it.
+/// One stroke of `points` samples at 300 Hz beginning at `start`, as six kinds of drivers report it.
 std::vector<DriverTrace> driver_traces(std::size_t points, double start);
 
 /// Both sequences, each in its own order, mixed at random with delays up to `seconds` of the mouse's or the pen's.

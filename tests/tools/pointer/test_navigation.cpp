@@ -205,7 +205,7 @@ TEST_CASE("fingers do nothing while a pen is near or draws: they are the palm un
   CHECK(!navigation.handle(finger(2, Action::Move, {400, 0}, 7.3)).motion);
 }
 
-TEST_CASE("a window that moves under Alt without a press tells that Alt is swallowed, until a press comes") {
+TEST_CASE("a window that moves under Alt without a press reports that Alt is swallowed, until a press comes") {
   Navigation navigation;
   navigation.window_moved();
   CHECK(!navigation.alt_swallowed());
@@ -222,7 +222,7 @@ TEST_CASE("a window that moves under Alt without a press tells that Alt is swall
   CHECK(navigation.alt_swallowed());
 }
 
-TEST_CASE("what was told of a swallowed Alt is old once anything else is done") {
+TEST_CASE("what was reported of a swallowed Alt is old once anything else is done") {
   Navigation navigation;
   const auto swallow = [&] {
     navigation.modifiers_changed(none);

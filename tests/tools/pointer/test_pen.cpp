@@ -21,7 +21,7 @@ struct CleanStroke {
   std::vector<PenSample> samples;
 };
 
-/// Feeds events and gathers what was told, holding PenInput to its order of steps.
+/// Feeds events and gathers what is reported, holding PenInput to its order of steps.
 struct Feed {
   PenInput pen;
   std::vector<CleanStroke> finished;

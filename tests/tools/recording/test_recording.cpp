@@ -126,7 +126,7 @@ TEST_CASE("steps for holes read back as they were written") {
   CHECK(point.to == Vec3(4, 5, 6));
 }
 
-TEST_CASE("every mistake in a step for holes is told") {
+TEST_CASE("every mistake in a step for holes is named") {
   const std::vector<std::string> wrong = {R"({"do":"hole"})",
                                           R"({"do":"hole","holes":[]  ,"action":"fill"})",
                                           R"({"do":"hole","hole":-1})",
@@ -151,7 +151,7 @@ TEST_CASE("every mistake in a step for holes is told") {
     CHECK(findings[i].message.find("Line " + std::to_string(i + 1) + " ") == 0);
 }
 
-TEST_CASE("every mistake in a step for meshes is told") {
+TEST_CASE("every mistake in a step for meshes is named") {
   const std::vector<std::string> wrong = {
       R"({"do":"pick","node":"a","kind":"corner","elements":[1]})",
       R"({"do":"pick","node":"a","kind":"edge","elements":[-1]})",
@@ -235,7 +235,7 @@ TEST_CASE("the documented lines are understood, with their defaults") {
   CHECK(parse("", "empty", all_steps()).empty());
 }
 
-TEST_CASE("every line that can't be understood is told with its number, all at once") {
+TEST_CASE("every line that can't be understood is named with its number, all at once") {
   const std::vector<std::string> wrong = {
       "pear",
       "[1,2]",

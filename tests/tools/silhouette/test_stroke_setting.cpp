@@ -23,7 +23,7 @@ Drawing circles() {
 
 const Stroke& stroke(const Drawing& drawing, const std::string& id) { return *find_stroke(drawing, id); }
 
-TEST_CASE("an inner outline is told to be a hole or a part") {
+TEST_CASE("an inner outline is set to be a hole or a part") {
   const Drawing before = circles();
   const DrawingEdit hole = set_kind(before, "c1", StrokeKind::Hole);
   CHECK(hole.changed == std::vector<std::string>{"c1"});
@@ -33,7 +33,7 @@ TEST_CASE("an inner outline is told to be a hole or a part") {
   CHECK_THROWS_AS(set_kind(before, "c7", StrokeKind::Part), Error);
 }
 
-TEST_CASE("which of two strokes lies in front is told to the one drawn later, and taken back") {
+TEST_CASE("which of two strokes lies in front is said of the one drawn later, and taken back") {
   const Drawing before = circles();
   const Drawing swapped = set_in_front(before, "c0", "c2").drawing;
   CHECK(is_set_behind(stroke(swapped, "c2"), stroke(swapped, "c0")));
@@ -53,7 +53,7 @@ TEST_CASE("a stroke drawn behind all comes in front of one alone") {
   CHECK(stroke(set_in_front(drawing, "c1", "c2").drawing, "c2").data.at("behind") == "all");
 }
 
-TEST_CASE("an open stroke, which may be a limb in front, is told to lie behind even where it was drawn first") {
+TEST_CASE("an open stroke, which may be a limb in front, is set to lie behind even where it was drawn first") {
   Drawing drawing = circles();
   drawing.strokes[0].closed = false;
   const Drawing behind = set_in_front(drawing, "c1", "c0").drawing;

@@ -12,7 +12,7 @@
 
 namespace croquis::test {
 
-/// What lies under rays of an evaluated network, by its triangles: as a host would tell the tool.
+/// What lies under rays of an evaluated network, by its triangles: as a host would give it to the tool.
 class PatchSight final : public SurfaceSight {
  public:
   /// Finds what a ray meets of other meshes; empty: nothing.

@@ -27,8 +27,8 @@ std::vector<Vec2> by_hand(const std::vector<Vec2>& way, Random& random) {
     const double part = lengths[next] - lengths[next - 1];
     const Vec2 place =
         way[next - 1] + (way[next] - way[next - 1]) * (part > 0 ? (along - lengths[next - 1]) / part : 0);
-    const Vec2 tremble(random.between(-0.7, 0.7), random.between(-0.7, 0.7));
-    pixels.push_back(place + (1 - share) * at_start + share * at_end + tremble);
+    const Vec2 jitter(random.between(-0.7, 0.7), random.between(-0.7, 0.7));
+    pixels.push_back(place + (1 - share) * at_start + share * at_end + jitter);
   }
   return pixels;
 }
@@ -48,13 +48,7 @@ Verdict SurfaceHand::noted(Verdict verdict) {
 }
 
 Verdict SurfaceHand::step(PenStep::Kind kind, const Vec2& pixel) {
-  SurfaceEvent event;
-  event.pointer.kind = kind;
-  event.pointer.pixel = pixel;
-  event.pointer.frame = camera.frame();
-  event.pointer.modifiers = held;
-  event.pointer.time = now += 0.016;
-  return noted(tool.handle(event));
+  return noted(tool.handle({kind, pixel, held, camera.frame(), now += 0.016}));
 }
 
 Verdict SurfaceHand::stroke(const std::vector<Vec2>& way) {
@@ -99,7 +93,7 @@ void SurfaceHand::look() {
   const auto now_there = tool.network();
   auto surface = std::make_shared<const AttributeSurface>(make_attribute_surface(*now_there, progress));
   auto shown = std::make_shared<const SurfaceTessellation>(tessellate(*now_there, *surface, progress));
-  tool.set_sight(std::make_shared<const PatchSight>(now_there, std::move(surface), std::move(shown)));
+  tool.settings().sight = std::make_shared<const PatchSight>(now_there, std::move(surface), std::move(shown));
 }
 
 }  // namespace croquis::test

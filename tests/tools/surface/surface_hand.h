@@ -11,7 +11,7 @@
 
 namespace croquis::test {
 
-/// Pixels that a hand passes in half a second along a polyline or smooth way: it speeds up and slows down, trembles by
+/// Pixels that a hand passes in half a second along a polyline or smooth way: it speeds up and slows down, jitters by
 /// less than a pixel and misses both ends by up to 2 % of the way.
 /// @param way at least two pixels; dense for curves
 std::vector<Vec2> by_hand(const std::vector<Vec2>& way, Random& random);

@@ -22,7 +22,7 @@ void open(SurfaceHand& hand, AttributeNetwork network) {
   hand.camera.near = 0.01 * size;
   hand.camera.far = 10 * size;
   hand.session.load(add_network(Document(), std::move(network), {}));
-  hand.tool.set_ground({Vec3::Zero(), Vec3::UnitZ()});
+  hand.tool.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
   hand.look();
 }
 
@@ -51,8 +51,8 @@ void any_gesture(SurfaceHand& hand) {
   hand.tool.hover(from, hand.camera.frame());
   const std::uint32_t what = hand.random.below(8);
   if (what < 3) hand.click(from);
-  if (what == 3) hand.tool.cycle_join();
-  if (what == 4 && hand.random.below(3) == 0) hand.tool.delete_selected();
+  if (what == 3) hand.tool.take(other_join(hand.network(), hand.tool.selected().curves));
+  if (what == 4 && hand.random.below(3) == 0) hand.tool.take(recorded::SurfaceDelete{hand.tool.selected()});
   if (what >= 5)
     hand.tool.mode() == SurfaceMode::Draw ? hand.stroke({from, (from + to) / 2 + Vec2(20, 15), to})
                                           : hand.drag(from, to);
@@ -74,7 +74,8 @@ TEST_CASE("whatever a hand does to the networks of the gallery, they stay sound 
     open(hand, network);
     hand.random = test::Random(network.nodes.size());
     const std::string before = hand.text();
-    if (hand.random.below(2) == 0) hand.tool.set_symmetry(SymmetryPlane{Vec3::Zero(), Vec3::UnitY()});
+    if (hand.random.below(2) == 0)
+      hand.tool.take(recorded::SurfaceSymmetry{SymmetryPlane{Vec3::Zero(), Vec3::UnitY()}});
     for (int gesture = 0; gesture < 50; ++gesture) {
       INFO(network.name << ", gesture " << gesture);
       any_gesture(hand);

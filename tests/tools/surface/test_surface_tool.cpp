@@ -91,10 +91,10 @@ TEST_CASE("selected curves fill a loop in any order; what isn't closed is named"
   hand.drag({20, 20}, {780, 580});
   CHECK(hand.tool.selected().curves.size() == 3);
   CHECK(hand.tool.selected().nodes.size() == 3);
-  CHECK(hand.tool.fill_loop({"c1", "c3"}) == Verdict::Revert);
+  CHECK(hand.tool.take(recorded::SurfacePatch{{"c1", "c3"}}) == Verdict::Revert);
   REQUIRE(hand.tool.notes().size() == 1);
   CHECK(hand.tool.notes()[0].code == "E_OPEN_LOOP");
-  CHECK(hand.tool.fill_selected() == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SurfacePatch{hand.tool.selected().curves}) == Verdict::Commit);
   CHECK(hand.network().faces.size() == 1);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a stroke that ends on a curve splits it there") {
 TEST_CASE("a stroke between two nodes in space lies in a plane through both") {
   SurfaceHand hand;
   draw_triangle(hand);
-  hand.tool.move({{"n3"}, {}, {}, {}}, {0, 2, 0});
+  hand.tool.take(recorded::SurfaceDrag{{{"n3"}, {}, {}, {}}, {}, {0, 2, 0}, {}});
   const Vec3 high = hand.node_place("n3"), low = hand.node_place("n1");
   REQUIRE(hand.stroke({hand.pixel(low), hand.pixel((low + high) / 2) + Vec2(40, 20), hand.pixel(high)}) ==
           Verdict::Commit);
@@ -131,7 +131,8 @@ TEST_CASE("a curve is drawn across the view where the ground is seen from its ed
   hand.camera.eye = {0, 0.2, 5};
   hand.stroke({{200, 300}, {600, 250}});
   for (const AttributeNode& node : hand.network().nodes) CHECK(std::abs(node.point.z()) < 0.05);
-  hand.tool.set_chosen_plane({{0, 0, 1}, {0.3, 0, 1}});
+  hand.tool.settings().chosen = {{0, 0, 1}, {0.3, 0, 1}};
+  hand.tool.settings().plane = SurfacePlane::Chosen;
   hand.stroke({{200, 500}, {600, 450}});
   const Vec3 normal = Vec3(0.3, 0, 1).normalized();
   CHECK(std::abs((hand.network().nodes[2].point - Vec3(0, 0, 1)).dot(normal)) < 1e-9);
@@ -182,9 +183,9 @@ TEST_CASE("handles of a selected line bend it") {
   CHECK(hand.drag(hand.pixel(handle), hand.pixel(handle) + Vec2(0, -50)) == Verdict::Commit);
   REQUIRE(hand.network().curves[0].control.size() == 4);
   CHECK((hand.pixel(hand.network().curves[0].control[1]) - hand.pixel(handle) - Vec2(0, -50)).norm() < 1);
-  CHECK(hand.tool.cycle_join() == Verdict::Commit);
+  CHECK(hand.tool.take(other_join(hand.network(), hand.tool.selected().curves)) == Verdict::Commit);
   CHECK(hand.network().curves[0].join == CurveJoin::Smooth);
-  CHECK(hand.tool.delete_selected() == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SurfaceDelete{hand.tool.selected()}) == Verdict::Commit);
   CHECK(hand.network().curves.size() == 2);
 }
 
@@ -226,7 +227,7 @@ TEST_CASE("a press on a patch and a drag pull a point that follows the pointer, 
   CHECK(hand.drag(hand.pixel(point.point), hand.pixel(point.point) + Vec2(2, 40)) == Verdict::Commit);
   CHECK(hand.network().points[0].point.y() < point.point.y() - 0.3);
   CHECK(hand.network().points[0].fan == point.fan);
-  hand.tool.delete_selected();
+  hand.tool.take(recorded::SurfaceDelete{hand.tool.selected()});
   CHECK(hand.text() == before);
 }
 
@@ -290,13 +291,13 @@ TEST_CASE("the handle of a slope turns the surface's normal about the curve") {
   const SlopeTip now = hand.tool.slopes()[0];
   CHECK_FALSE(now.automatic);
   CHECK((hand.pixel(now.tip) - hand.pixel(tip.tip) - Vec2(0, -40)).norm() < 4);
-  CHECK(hand.tool.remove_slope(now.side) == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SurfaceSlope{now.side, {}}) == Verdict::Commit);
   CHECK(hand.network().slopes.empty());
 }
 
 TEST_CASE("with a symmetry plane both sides are drawn and moved") {
   SurfaceHand hand;
-  CHECK(hand.tool.set_symmetry(SymmetryPlane{{1, 0, 0}, {1, 0, 0}}) == Verdict::Commit);
+  CHECK(hand.tool.take(recorded::SurfaceSymmetry{SymmetryPlane{{1, 0, 0}, {1, 0, 0}}}) == Verdict::Commit);
   hand.stroke_through({{2, 0, 1}, {3, 0, -1}});
   REQUIRE(hand.network().curves.size() == 2);
   CHECK(hand.network().nodes.size() == 4);
@@ -305,7 +306,7 @@ TEST_CASE("with a symmetry plane both sides are drawn and moved") {
   hand.drag(start, start + Vec2(30, 25));
   const Vec3 moved = hand.node_place("n2"), image = hand.node_place("n2_m");
   CHECK((mirrored(moved, *hand.tool.symmetry()) - image).norm() < 1e-12);
-  hand.tool.set_symmetry({});
+  hand.tool.take(recorded::SurfaceSymmetry{});
   hand.drag(hand.pixel(moved), hand.pixel(moved) + Vec2(-30, 0));
   CHECK(hand.node_place("n2_m") == image);
 }
@@ -323,36 +324,36 @@ TEST_CASE("every recorded step does again what the hand did") {
   hand.look();
   hand.tool.set_mode(SurfaceMode::Draw);
   hand.stroke_through({(hand.node_place("n1") + hand.node_place("n2")) / 2, hand.node_place("n3")});
-  const auto note = [&](Verdict verdict) {
-    REQUIRE(verdict == Verdict::Commit);
+  const auto note = [&](const recorded::Step& step) {
+    REQUIRE(hand.tool.take(step) == Verdict::Commit);
     hand.recording.push_back(recorded::to_line(*hand.tool.done()));
   };
-  note(hand.tool.set_join({"c1", "c2"}, CurveJoin::Smooth));
-  note(hand.tool.set_faces({"f1"}, {AttributeMode::Position, AttributeDomain::Uniform, 0.25}));
-  note(hand.tool.turn_faces({"f1"}));
-  note(hand.tool.set_slope({"c2", {}}, {0.5, Vec3(0, 1, 0.2), 1.5}));
-  note(hand.tool.remove_slope({"c2", {}}));
-  note(hand.tool.move_handle({"c2", 1}, {0, 0.2, 0}));
-  note(hand.tool.split_curve("c2", 0.25));
+  note(recorded::SurfaceJoin{{"c1", "c2"}, CurveJoin::Smooth});
+  note(recorded::SurfaceFaceSetting{{"f1"}, {AttributeMode::Position, AttributeDomain::Uniform, 0.25}, false});
+  note(recorded::SurfaceFaceSetting{{"f1"}, {}, true});
+  note(recorded::SurfaceSlope{{"c2", {}}, SlopeHandle{0.5, Vec3(0, 1, 0.2), 1.5}});
+  note(recorded::SurfaceSlope{{"c2", {}}, {}});
+  note(recorded::SurfaceDrag{{}, ControlHandle{"c2", 1}, {0, 0.2, 0}, {}});
+  note(recorded::SurfaceSplit{"c2", 0.25, {}});
   PointSetting setting;
   setting.profile = PointProfile::Cone;
   setting.radius = std::optional(0.3);
-  note(hand.tool.set_points({"p1"}, setting));
+  note(recorded::SurfacePointSetting{{"p1"}, setting});
   setting = {};
   setting.radius = std::optional<double>();
   setting.normal = std::optional(Vec3(0, 1, 0));
-  note(hand.tool.set_points({"p1"}, setting));
-  note(hand.tool.mirror({{0, 0, 1.5}, {0, 0, 1}}));
-  note(hand.tool.set_symmetry(SymmetryPlane{{0, 0, 1.5}, {0, 0, 1}}));
-  note(hand.tool.choose({{"n1"}, {"c1"}, {}, {"p1"}}));
-  note(hand.tool.remove({{}, {}, {"f1_m"}, {}}));
-  note(hand.tool.set_symmetry({}));
+  note(recorded::SurfacePointSetting{{"p1"}, setting});
+  note(recorded::SurfaceMirror{{{0, 0, 1.5}, {0, 0, 1}}});
+  note(recorded::SurfaceSymmetry{SymmetryPlane{{0, 0, 1.5}, {0, 0, 1}}});
+  note(recorded::SurfaceChoice{{{"n1"}, {"c1"}, {}, {"p1"}}});
+  note(recorded::SurfaceDelete{{{}, {}, {"f1_m"}, {}}});
+  note(recorded::SurfaceSymmetry{});
 
   SurfaceHand again;
   for (const std::string& line : hand.recording) {
     INFO(line);
     const auto steps = recorded::parse(line, "test", recorded::all_steps());
-    CHECK(again.tool.replay(steps.front().step) != Verdict::Revert);
+    CHECK(again.tool.take(steps.front().step) != Verdict::Revert);
     CHECK(recorded::to_line(steps.front().step) == line);
   }
   CHECK(again.text() == hand.text());
@@ -385,7 +386,7 @@ class BallSight final : public SurfaceSight {
 TEST_CASE("a stroke that begins on a mesh lies on it, and so does one between nodes on it") {
   SurfaceHand hand;
   const Vec3 middle(1, 1, 0);
-  hand.tool.set_sight(std::make_shared<const BallSight>(middle));
+  hand.tool.settings().sight = std::make_shared<const BallSight>(middle);
   const Vec2 centre = hand.pixel(middle);
   REQUIRE(hand.stroke({centre + Vec2(-45, 10), centre + Vec2(40, -15)}) == Verdict::Commit);
   const auto distance = [&](const Vec3& place) { return std::abs((place - middle).norm() - 1); };
@@ -405,10 +406,10 @@ TEST_CASE("commands about what isn't there are refused, and nothing changes") {
   SurfaceHand hand;
   draw_triangle(hand);
   const std::string before = hand.text();
-  CHECK_THROWS_AS(hand.tool.move({{"n9"}, {}, {}, {}}, Vec3::UnitX()), Error);
-  CHECK_THROWS_AS(hand.tool.merge_faces("c1"), Error);
-  CHECK_THROWS_AS(hand.tool.draw({{{0, 0, 0}, {1, 0, 0}}, 0.01, {"n9", {}, 0}, {}, {}}), Error);
-  CHECK(hand.tool.remove({{"n9"}, {}, {}, {}}) == Verdict::Continue);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SurfaceDrag{{{"n9"}, {}, {}, {}}, {}, Vec3::UnitX(), {}}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SurfaceMerge{"c1"}), Error);
+  CHECK_THROWS_AS(hand.tool.take(recorded::SurfaceStroke{{{0, 0, 0}, {1, 0, 0}}, 0.01, {"n9", {}, 0}, {}, {}}), Error);
+  CHECK(hand.tool.take(recorded::SurfaceDelete{{{"n9"}, {}, {}, {}}}) == Verdict::Continue);
   CHECK(hand.text() == before);
   CHECK_THROWS_WITH(
       recorded::parse(R"({"do":"surface-join","curves":["c1"],"join":"round"})", "test", recorded::all_steps()),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "croquis/tools/holes/hole_pins.h"
@@ -68,6 +70,9 @@ struct HolePreview {
   std::optional<PatchPull> pull;  ///< while a handle or patch is dragged; show the patch as it would be at `to`
 };
 
+class HoleScene;
+struct HoleGesture;
+
 /// Works on the holes of one scan: picks them by pin, rim, patch, opening or box, chooses which to fill, pulls patches.
 ///
 /// Clicks: plain replaces the selection, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same, for holes whose
@@ -90,7 +95,7 @@ class HoleTool {
   const std::vector<HoleRim>& rims() const;
   const HoleRim* rim(Index hole) const;  ///< or null
   void set_filled(std::vector<Index> holes);
-  bool is_filled(Index hole) const;
+  bool is_filled(Index hole) const { return std::ranges::binary_search(filled_, hole); }
   /// These may change while a drag is under way: the drag goes on.
   void set_patches(std::vector<HolePatchView> patches);
   void set_handles(std::vector<PatchHandle> handles);
@@ -101,20 +106,20 @@ class HoleTool {
 
   // ---- Pointer
   Verdict handle(const MeshEvent& event);  ///< Commit: see done(). Cancel (Escape) gives up
-  bool active() const;
+  bool active() const { return gesture_ != nullptr; }
   /// @return whether the preview changed
   bool hover(const Vec2& pixel, const ViewFrame& frame);
   bool leave();
-  const HolePreview& preview() const;
+  const HolePreview& preview() const { return preview_; }
   /// What the last Commit was: HoleChoice (selections have been made already) or HolePoint.
-  const std::optional<recorded::Step>& done() const;
+  const std::optional<recorded::Step>& done() const { return done_; }
 
   /// Every hole's place on screen; kept until the view, rims or sight change.
   const std::vector<HolePin>& pins(const ViewFrame& frame);
 
   // ---- Selection, sorted
-  const std::vector<Index>& selected() const;
-  bool is_selected(Index hole) const;
+  const std::vector<Index>& selected() const { return selected_; }
+  bool is_selected(Index hole) const { return std::ranges::binary_search(selected_, hole); }
   Verdict select(std::vector<Index> holes);  ///< from a list; those that aren't there are left out
   Verdict select_all();
   Verdict select_none() { return select({}); }
@@ -124,8 +129,19 @@ class HoleTool {
   Verdict replay(const recorded::HolePoint& step);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void go_on(const MeshEvent& event);
+  Verdict finish();
+  Verdict give_up();
+  Verdict choose(std::vector<Index> holes, const std::string& action);
+  Verdict commit(recorded::Step step);
+
+  HoleToolOptions options_;
+  std::unique_ptr<HoleScene> scene_;
+  std::vector<Index> filled_, selected_;  ///< sorted
+  HolePreview preview_;
+  std::optional<recorded::Step> done_;
+  std::unique_ptr<HoleGesture> gesture_;  ///< null: none is under way
+  std::optional<MeshEvent> last_click_;
 };
 
 /// The places a patch goes through, after that step: of equally near ones the first.

@@ -18,7 +18,7 @@
 
 namespace croquis {
 
-/// What the parts of a mesh tool tell each other about commands.
+/// What the parts of a mesh tool exchange about commands.
 struct CommandLog {
   std::function<void()> begin;         ///< called before each command: a gesture under way is given up
   std::optional<recorded::Step> done;  ///< what the last Commit did

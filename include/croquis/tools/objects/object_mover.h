@@ -9,11 +9,11 @@
 #include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/pointer/session_drag.h"
 #include "croquis/tools/recording/general_steps.h"
-#include "croquis/workspace/workspace.h"
+#include "croquis/workspace/object_commands.h"
 
 namespace croquis {
 
-/// Moves, rotates and scales the objects that are picked (Workspace::picked) by a manipulator in their middle, all
+/// Moves, rotates and scales the objects that are picked (see picked) by a manipulator in their middle, all
 /// together and as one undo step. Nothing is computed again. The workspace outlives it. One thread.
 class ObjectMover {
  public:

@@ -9,12 +9,10 @@
 #include "croquis/document/document.h"
 #include "croquis/geometry/affine3.h"
 #include "croquis/session/session.h"
-#include "croquis/tools/perspective/drawing_edit.h"
-#include "croquis/tools/perspective/mirror_completion.h"
+#include "croquis/tools/perspective/perspective_steps.h"
 #include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/pointer/session_drag.h"
-#include "croquis/tools/recording/step.h"
 #include "croquis/tools/strokes/sketch_event.h"
 
 namespace croquis {
@@ -51,20 +49,25 @@ struct PerspectivePreview {
   std::optional<PickBox> box;                ///< Select: the box spanned
 };
 
+struct SheetContext;
+struct SheetGesture;
+
 /// The pen on a perspective drawing: draws, selects, bends, joins and erases strokes of one drawing of a session.
 ///
 /// Events come as they fall on the sketch plane; the sheet lies on it upside down: its place (u, v) is at (u, -v).
 ///
 /// Draw: a gesture becomes one stroke, or one for each side between its corners. Ends of edges near a vertex go to it.
 /// Groups are chosen, or found by where a line points. Select: a click picks a stroke (Shift adds or takes away),
-/// within a face the strokes around it, a
-/// drag on a point of a selected stroke bends it, on an end takes the vertex along (Ctrl: the end alone), on a
-/// vanishing point turns the lines of its axis, on a stroke moves what is selected, elsewhere spans a box. Erase, or
-/// the pen's eraser end in any mode: deletes the strokes touched. Every gesture is one undo step. The session outlives
-/// the tool. Everything on the session's thread.
+/// within a face the strokes around it, a drag on a point of a selected stroke bends it, on an end takes the vertex
+/// along (Ctrl: the end alone), on a vanishing point turns the lines of its axis, on a stroke moves what is selected,
+/// elsewhere spans a box. Erase, or the pen's eraser end in any mode: deletes the strokes touched. Every gesture is one
+/// undo step. The session outlives the tool. Everything on the session's thread.
 class PerspectiveTool {
  public:
   explicit PerspectiveTool(Session& session, PerspectiveToolOptions options = {});
+  ~PerspectiveTool();
+  PerspectiveTool(const PerspectiveTool&) = delete;
+  PerspectiveTool& operator=(const PerspectiveTool&) = delete;
 
   PerspectiveMode mode() const { return mode_; }
   void set_mode(PerspectiveMode mode);  ///< gives up a gesture under way
@@ -82,31 +85,13 @@ class PerspectiveTool {
   Verdict handle(const SketchEvent& event);
   const PerspectivePreview& preview() const { return preview_; }
 
+  /// Does a step of perspective_steps(): one undo step. Of strokes whose groups aren't given, these are guessed, and
+  /// what a mirror adds is found; what is recorded then has them.
+  /// @return Commit; Continue or, of a stroke, Revert where nothing changed
+  /// @throws Error (E_INPUT) for strokes that aren't there, and values that can't be
+  Verdict take(const recorded::Step& step);
   /// What the last Commit did, for recordings.
   const std::optional<recorded::Step>& done() const { return done_; }
-
-  // Commands; each is one undo step. Commit, or Continue where nothing changed.
-  // @throws Error (E_INPUT) for strokes that aren't there, and values that can't be
-
-  /// @param groups without a group: of the strokes that the gesture becomes, as a recording knows them; else guessed
-  Verdict draw(const std::vector<Vec2>& places, double units_per_pixel, std::optional<StrokeGroup> group,
-               StrokeRole role, const std::vector<StrokeGroup>& groups = {});
-  Verdict erase(const std::vector<Vec2>& path, double units_per_pixel);
-  Verdict remove(const std::vector<std::string>& ids);
-  Verdict drag(const std::string& stroke, std::optional<std::size_t> point, const Vec2& by, bool alone = false);
-  Verdict aim(int axis, const Vec2& at);
-  Verdict set(const std::vector<std::string>& ids, const StrokeSetting& setting);
-  Verdict set_known_point(const std::optional<KnownPoint>& known);
-  Verdict set_known_length(const std::string& stroke, std::optional<double> length);
-  Verdict set_unit(const std::string& unit);  ///< known lengths keep their size. @param unit see length_units, or empty
-  Verdict set_camera(std::optional<double> field_of_view, const std::optional<Vec2>& principal_point);
-  Verdict set_sheet(const Vec2& size);  ///< px; the strokes keep their places
-  Verdict choose(const std::string& list, const std::string& item, bool on);
-  /// Of several sets of faces one: its own are required, those of the others forbidden. @param required "s1+s2+s3"
-  Verdict choose_faces(const std::vector<std::string>& required, const std::vector<std::string>& forbidden);
-  /// @param strokes that the mirror adds, as a recording knows them; none: found now
-  Verdict complete_mirrored(const MirrorPlane& plane, std::vector<PerspectiveStroke> strokes = {});
-  Verdict delete_selected();
 
   /// Whether an item is on one of the operation's lists ("faces", "no-faces", "ignore", "sharp").
   bool is_chosen(const std::string& list, const std::string& item) const;
@@ -121,31 +106,16 @@ class PerspectiveTool {
   void select(const std::vector<std::string>& ids);
 
  private:
-  enum class Gesture { None, Draw, Erase, Press, Box, Point, Strokes, Aim };
-
-  /// The point of a stroke that a press in Select mode would take.
-  std::optional<PickedPoint> point_at(const Vec2& place, double units_per_pixel) const;
-  /// The axis whose vanishing point lies there.
-  std::optional<int> vanishing_point_at(const Vec2& place, double units_per_pixel) const;
-
-  Verdict begin(const SketchEvent& event);
+  void begin(const SketchEvent& event);
   void go_on(const SketchEvent& event);
   Verdict finish();
   Verdict give_up();
-  void end_gesture();
-  void press();
   void start_drag();
-  void drag_to();
-  PerspectiveDrawing dragged() const;
-  Vec2 snapped_way() const;
-  Verdict finish_drag();
-  Verdict finish_click();
-  Verdict finish_box();
+  void drag();
   void preview_stroke();
-  Verdict commit(const std::string& label, PerspectiveDrawing drawing, recorded::Step step);
+  SheetContext context() const;
   Document with_drawing(PerspectiveDrawing drawing) const;
   PerspectiveDrawing drawing_or_empty() const;
-  PerspectiveDrawing required() const;
 
   Session& session_;
   PerspectiveToolOptions options_;
@@ -158,16 +128,8 @@ class PerspectiveTool {
   PerspectivePreview preview_;
   std::optional<recorded::Step> done_;
 
-  Gesture gesture_ = Gesture::None;
+  std::unique_ptr<SheetGesture> gesture_;  ///< null: none is under way
   SessionDrag drag_;
-  SketchEvent start_;                                   ///< that began the gesture
-  Vec2 from_ = Vec2::Zero();                            ///< where, px of the sheet
-  Vec2 last_ = Vec2::Zero();                            ///< where the pointer is, px of the sheet
-  std::vector<Vec2> path_;                              ///< Draw, Erase
-  std::optional<std::string> picked_;                   ///< stroke under the press
-  std::optional<PickedPoint> point_;                    ///< under the press
-  std::optional<int> axis_;                             ///< vanishing point under the press
-  std::shared_ptr<const PerspectiveDrawing> original_;  ///< before the drag
 };
 
 }  // namespace croquis

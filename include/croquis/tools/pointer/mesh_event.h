@@ -14,6 +14,10 @@ struct PickBox {
 
   /// From any two opposite corners.
   static PickBox spanned(const Vec2& a, const Vec2& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+  bool has(const Vec2& place) const {
+    return (place.array() >= low.array()).all() && (place.array() <= high.array()).all();
+  }
 };
 
 /// One step of a pen or mouse in a view of the model.

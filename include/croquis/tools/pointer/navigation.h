@@ -62,7 +62,7 @@ class Navigation {
   void set_flat(int view, bool flat);
   void set_twin_key(bool held) { twin_key_ = held; }
 
-  /// Tell it about every change of the modifier keys, and when the window itself was moved.
+  /// To be called for every change of the modifier keys, and when the window itself was moved.
   void modifiers_changed(const Modifiers& now);
   void window_moved();
 

@@ -95,12 +95,10 @@ class PenInput {
 
   void begin(const PointerEvent& event, Steps& steps);
   void extend(const PointerEvent& event, Steps& steps);
-  void tell_waiting(double pressure, Steps& steps);
-  void tell(PenStep::Kind kind, const PenSample& sample, Steps& steps) const;
+  void report_waiting(double pressure, Steps& steps);
   void finish(PenStep::Kind kind, double time, Steps& steps);
   void release_suspects(Steps& steps);
   void note_pen(const PointerEvent& event);
-  PenSample sample_of(const PointerEvent& event) const;
   bool draws_alone(const Buttons& buttons) const;
   bool is_repeated_press(const PointerEvent& event) const;
   bool is_copy_of_pen(const PointerEvent& event) const;

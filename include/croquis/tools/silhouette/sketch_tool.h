@@ -49,6 +49,8 @@ struct SketchPreview {
   std::string held_stroke;
 };
 
+struct SketchGesture;
+
 /// The silhouette pen: draws, selects, bends and erases strokes of one drawing node of a session.
 ///
 /// Draw: a stroke per gesture; with the right button or Shift it lies behind what is drawn. Select: a click picks a
@@ -59,6 +61,9 @@ struct SketchPreview {
 class SketchTool {
  public:
   explicit SketchTool(Session& session, SketchToolOptions options = {});
+  ~SketchTool();
+  SketchTool(const SketchTool&) = delete;
+  SketchTool& operator=(const SketchTool&) = delete;
 
   SketchMode mode() const { return mode_; }
   void set_mode(SketchMode mode);  ///< gives up a gesture under way
@@ -93,31 +98,21 @@ class SketchTool {
   const StrokeFit* fit(const std::string& stroke);
 
  private:
-  enum class Gesture { None, Draw, Erase, Press, Box, Anchor, Strokes, Setting };
   struct KeptFit {
     std::vector<StrokeSample> samples;  ///< that it was made of
     StrokeFit fit;
   };
 
-  Verdict begin(const SketchEvent& event);
-  Verdict go_on(const SketchEvent& event);
-  Verdict finish(const SketchEvent& event);
-  Verdict give_up();
-
-  void press(const SketchEvent& event);
+  void begin(const SketchEvent& event);
+  void go_on(const SketchEvent& event);
   void start_drag();
-  void drag_to(const Vec2& place);
-  Verdict finish_drawing();
-  Verdict finish_erasing();
-  Verdict finish_click();
-  Verdict finish_box();
-  Verdict finish_drag();
-
-  double eraser_radius() const { return options_.eraser_pixels * start_.units_per_pixel; }
+  Verdict finish();
+  Verdict finish_drawing(const SketchGesture& gesture, const SketchPreview& drawn);
+  Verdict finish_erasing(const SketchGesture& gesture, const SketchPreview& drawn);
+  Verdict give_up();
+  Verdict commit(const std::string& label, Document document, recorded::Step step);
   Document with_drawing(Drawing drawing) const;
   Document without_strokes(DrawingEdit edit) const;
-  void select_strokes(const std::vector<std::string>& ids);
-  void end_gesture();
 
   Session& session_;
   SketchToolOptions options_;
@@ -125,15 +120,8 @@ class SketchTool {
   NodeId node_ = 0;
   SketchPreview preview_;
   std::optional<recorded::Step> done_;
-
-  Gesture gesture_ = Gesture::None;
+  std::unique_ptr<SketchGesture> gesture_;  ///< null: none is under way
   SessionDrag drag_;
-  SketchEvent start_;                        ///< that began the gesture
-  Vec2 last_ = Vec2::Zero();                 ///< where the pointer is
-  std::string picked_;                       ///< stroke under the press, empty for none
-  std::optional<std::size_t> anchor_;        ///< of picked_, under the press
-  std::shared_ptr<const Drawing> original_;  ///< before the drag
-  StrokeFit held_fit_;                       ///< of picked_ before the drag
   std::map<std::string, KeptFit> fits_;
 };
 

@@ -16,7 +16,7 @@ inline constexpr double most_thickness = 4;
 /// @param kind Visible takes back what was said; @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind);
 
-/// Says which of two strokes that cross in full view lies in front. Without being told it is the one drawn later.
+/// Says which of two strokes that cross in full view lies in front. Without a setting it is the one drawn later.
 /// @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const std::string& behind);
 

@@ -11,6 +11,10 @@
 /// What tools that draw strokes do with the source of these, whatever kind of drawing it holds.
 namespace croquis {
 
+inline bool contains(const std::vector<std::string>& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
 /// The document with a new source and the operation that it goes to.
 /// @param options   the tool's: name of the drawing; operation, version and port of what is made of it
 /// @param operation with the parameters and the transform that it starts with

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,15 +38,17 @@ struct SurfaceToolOptions {
   double drag_pixels = 4;             ///< a press that moves less is a click
 };
 
+/// What a host sets of the tool.
+struct SurfaceSettings {
+  SurfacePlane plane = SurfacePlane::Ground;
+  SpacePlane ground;
+  SpacePlane chosen;                          ///< that strokes lie on with SurfacePlane::Chosen
+  std::shared_ptr<const SurfaceSight> sight;  ///< what lies under rays, once results have come; null: nothing does
+  NodeId node = 0;                            ///< the network worked on; where there is none: the document's first one
+};
+
 /// The document with a network and the operation that it goes to.
 Document add_network(const Document& document, AttributeNetwork network, const SurfaceToolOptions& options);
-
-/// One step of a pen or mouse in a view. The frame sees the network's own space: a host puts the node's placement into
-/// it.
-struct SurfaceEvent {
-  MeshEvent pointer;
-  double pressure = 1;  ///< 0..1
-};
 
 /// What an end would go to, or the pointer is over.
 struct SurfaceSnap {
@@ -79,6 +80,8 @@ struct SurfacePreview {
   std::optional<double> radius;        ///< Point, Select: of the point whose ring is dragged
 };
 
+struct SurfaceGesture;
+
 /// The pen on an attribute network: draws its curves, moves what it has, fills loops with patches and pulls these.
 ///
 /// Draw: a stroke becomes one curve, or one for each part between its corners. It begins and ends at nodes or on curves
@@ -88,77 +91,47 @@ struct SurfacePreview {
 /// what is selected; handles, slopes and rings of what is selected come first; elsewhere it spans a box. Patch and
 /// Point: see SurfaceMode. A drag of a point goes along the patch's normal, with Ctrl across the view. Every gesture is
 /// one undo step, and a Cancel gives it up. With a symmetry plane, all edits are done on both sides.
+/// Frames of events see the network's own space: a host puts the node's placement into them.
 /// The session outlives the tool. Everything on the session's thread.
 class SurfaceTool {
  public:
   explicit SurfaceTool(Session& session, SurfaceToolOptions options = {});
+  ~SurfaceTool();
+  SurfaceTool(const SurfaceTool&) = delete;
+  SurfaceTool& operator=(const SurfaceTool&) = delete;
 
   SurfaceMode mode() const { return mode_; }
   void set_mode(SurfaceMode mode);  ///< gives up a gesture under way
-
-  /// What lies under rays; null: nothing does. A host sets it when results have come.
-  void set_sight(std::shared_ptr<const SurfaceSight> sight) { sight_ = std::move(sight); }
-
-  SurfacePlane plane() const { return plane_; }
-  void set_plane(SurfacePlane plane) { plane_ = plane; }
-  void set_chosen_plane(const SpacePlane& plane);                  ///< and draws on it
-  void set_ground(const SpacePlane& ground) { ground_ = ground; }  ///< at first y = 0
+  SurfaceSettings& settings() { return settings_; }
+  const SurfaceSettings& settings() const { return settings_; }
   const std::optional<SymmetryPlane>& symmetry() const { return symmetry_; }
 
   // ---- Pointer
-  Verdict handle(const SurfaceEvent& event);
+  Verdict handle(const MeshEvent& event);
   /// Whether a gesture is under way.
-  bool active() const { return gesture_ != Gesture::None; }
+  bool active() const { return gesture_ != nullptr; }
   /// Pre-highlights, and finds what a stroke or click there would go to. @return whether the preview changed
   bool hover(const Vec2& pixel, const ViewFrame& frame);
   bool leave();
   const SurfacePreview& preview() const { return preview_; }
+
+  /// Does a step of surface_steps(): one undo step, but for those that select or set the symmetry.
+  /// @return Commit; Continue where nothing changed; Revert where nothing could be made of it
+  /// @throws Error (E_INPUT …) for elements that aren't there, and values that can't be
+  Verdict take(const recorded::Step& step);
   /// What the last Commit did, for recordings.
   const std::optional<recorded::Step>& done() const { return done_; }
-  /// Why the last command or gesture did nothing, and what is worth knowing of what it did.
+  /// Why the last step or gesture did nothing, and what is worth knowing of what it did.
   const Findings& notes() const { return notes_; }
 
-  // ---- Commands; each is one undo step. Commit, or Continue where nothing changed.
-  // @throws Error (E_INPUT …) for elements that aren't there, and values that can't be
-
-  Verdict draw(const recorded::SurfaceStroke& stroke);
-  Verdict move(const NetworkElements& elements, const Vec3& by, const std::string& into = {});
-  Verdict move_handle(const ControlHandle& handle, const Vec3& by);
-  Verdict fill_loop(const std::vector<std::string>& curves);  ///< findings of sort_loop become notes
-  Verdict fill_selected();                                    ///< with the selected curves
-  Verdict put_point(const NewPoint& point);
-  Verdict set_points(const std::vector<std::string>& points, const PointSetting& setting);
-  Verdict set_join(const std::vector<std::string>& curves, CurveJoin join);
-  Verdict cycle_join();  ///< of the selected curves: all smooth, or where they are, all creases
-  Verdict set_faces(const std::vector<std::string>& faces, const FaceSetting& setting);
-  Verdict turn_faces(const std::vector<std::string>& faces);
-  Verdict set_slope(const SlopeSide& side, const SlopeHandle& handle);
-  Verdict remove_slope(const SlopeSide& side);
-  Verdict set_inner(const std::string& curve, const InnerSetting& setting);
-  Verdict add_inner(const std::string& face, const std::string& curve);
-  Verdict remove_inner(const std::string& face, const std::string& curve);
-  Verdict split_curve(const std::string& curve, double at);
-  Verdict split_face(const std::string& face, const std::string& curve);
-  Verdict merge_faces(const std::string& curve);
-  Verdict remove(const NetworkElements& elements);
-  Verdict delete_selected();
-  Verdict mirror(const SymmetryPlane& plane);
-  /// Edits on both sides from now on; recorded, but no undo step.
-  Verdict set_symmetry(const std::optional<SymmetryPlane>& plane);
-  /// Does a step of surface_steps(). @throws Error as the commands
-  Verdict replay(const recorded::Step& step);
-
   // ---- The document
-  /// The network worked on: the one set, else the document's first one; 0 when there is none.
-  NodeId node() const;
-  void set_node(NodeId node) { node_ = node; }
+  NodeId node() const;                                      ///< the network worked on; 0 when there is none
   std::shared_ptr<const AttributeNetwork> network() const;  ///< or null
   NodeId operation_node() const;                            ///< that it goes to; 0 for none
 
   // ---- What is selected. Parts of the session's selection are "node n1", "curve c1", "face f1", "point p1".
   NetworkElements selected() const;
-  void select(const NetworkElements& elements);
-  Verdict choose(const NetworkElements& elements);  ///< the same, recorded; Continue where nothing changed
+  void select(const NetworkElements& elements);  ///< recorded with a SurfaceChoice instead
 
   // ---- What can be dragged beside elements
   /// Handles of the selected curves (control_handles), without those at nodes.
@@ -169,95 +142,29 @@ class SurfaceTool {
   std::vector<Vec3> ring() const;
 
  private:
-  enum class Gesture { None, Draw, Press, Box, Move, Handle, Slope, Ring, Pull };
-
-  /// A network as a drag has changed it, and the step that does the same.
-  struct Dragged {
-    AttributeNetwork network;
-    recorded::Step step;
-    std::string label;
-  };
-
-  /// What a sample of a stroke lies over.
-  struct Sample {
-    Vec2 pixel = Vec2::Zero();
-    std::optional<SurfaceHit> patch;
-    std::optional<Vec3> mesh;  ///< nearer than the patch
-  };
-
-  Verdict begin(const SurfaceEvent& event);
-  void go_on(const SurfaceEvent& event);
+  void begin(const MeshEvent& event);
+  void go_on(const MeshEvent& event);
   Verdict finish();
   Verdict give_up();
-  void end_gesture();
-
-  // Draw
-  void add_sample(const Vec2& pixel);
   void preview_stroke();
-  std::optional<SurfaceSnap> snap_at(const ViewFrame& frame, const Vec2& pixel) const;
-  std::string face_drawn_on() const;  ///< empty for none
-  bool draws_on_mesh() const;
-  SpacePlane plane_for(const std::optional<SurfaceSnap>& end) const;
-  std::vector<Vec3> stroke_places(const std::optional<SurfaceSnap>& end) const;
-  std::vector<Vec3> places_over(const std::string& face) const;
-  Verdict finish_stroke();
-
-  // Select, Patch, Point
-  void press();
-  void start_drag();
-  void drag_to();
-  Dragged dragged() const;
-  Dragged moved() const;
-  Dragged slope_dragged() const;
-  Dragged ring_dragged() const;
-  Dragged point_pulled() const;
-  Vec3 way_across(const Vec3& place) const;
-  Vec3 way_along(const Vec3& place, const Vec3& normal) const;
-  std::optional<PickedPlace> node_to_join() const;
-  Verdict finish_drag();
-  Verdict finish_click();
-  Verdict finish_box();
+  void drag();
   std::optional<PickedPlace> pick(const ViewFrame& frame, const Vec2& pixel) const;
-  bool ring_at(const ViewFrame& frame, const Vec2& pixel) const;
-  std::optional<SlopeTip> slope_at(const ViewFrame& frame, const Vec2& pixel) const;
-  std::optional<SurfaceHit> hit_at(const ViewFrame& frame, const Vec2& pixel) const;
-  std::optional<LoopAround> loop_at(const ViewFrame& frame, const Vec2& pixel) const;
-  Verdict click_in_loop();
-
-  // The document
-  Verdict commit(const std::string& label, AttributeNetwork network, recorded::Step step);
-  AttributeNetwork on_both_sides(const AttributeNetwork& before, AttributeNetwork after) const;
   Document with_network(AttributeNetwork network) const;
-  AttributeNetwork network_or_empty() const;
 
   Session& session_;
   SurfaceToolOptions options_;
+  SurfaceSettings settings_;
   SurfaceMode mode_ = SurfaceMode::Draw;
-  SurfacePlane plane_ = SurfacePlane::Ground;
-  SpacePlane ground_;
-  SpacePlane chosen_;
   std::optional<SymmetryPlane> symmetry_;
-  NodeId node_ = 0;
-  std::shared_ptr<const SurfaceSight> sight_;
   SurfacePreview preview_;
   std::optional<recorded::Step> done_;
   Findings notes_;
-
-  Gesture gesture_ = Gesture::None;
-  SurfaceEvent start_;                 ///< that began the gesture
-  Vec2 last_ = Vec2::Zero();           ///< where the pointer is
-  std::vector<Sample> samples_;        ///< Draw
-  std::optional<SurfaceSnap> from_;    ///< Draw: what the stroke begins at
-  std::optional<PickedPlace> picked_;  ///< under the press
-  std::optional<SlopeTip> tip_;        ///< under the press
-  std::optional<SurfaceHit> hit_;      ///< under the press
-  bool on_ring_ = false;               ///< the press was on the ring of the selected point
-  NetworkElements moving_;             ///< Move
+  std::unique_ptr<SurfaceGesture> gesture_;  ///< null: none is under way
   SessionDrag drag_;
-  std::shared_ptr<const AttributeNetwork> original_;  ///< before the drag …
-  std::optional<NetworkPartners> partners_;           ///< … and its symmetry
-  std::optional<recorded::Step> dragged_;             ///< what the drag does by now
 };
+
+/// Makes curves smooth, or where all of them are, creases.
+recorded::SurfaceJoin other_join(const AttributeNetwork& network, const std::vector<std::string>& curves);
 
 /// "part" of a selected item, and back: "curve c1".
 std::string selected_part(NetworkElement kind, const std::string& id);

@@ -162,7 +162,7 @@ void HoleFillingTool::set_mode(const QString& mode) {
 
 void HoleFillingTool::show_patch_look() {
   host().viewport().objects().set_patch_look(tinted_           ? PatchLook::Confidence
-                                             : holes_.active() ? PatchLook::Told
+                                             : holes_.active() ? PatchLook::Distinct
                                                                : PatchLook::Plain);
 }
 

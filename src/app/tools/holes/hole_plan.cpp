@@ -65,7 +65,7 @@ constexpr NodeId previewed_node = NodeId{1} << 61;
 }  // namespace
 
 const Node* filling_node(const Studio& studio) {
-  const Node* node = studio.active_operation();
+  const Node* node = active_operation(studio);
   return node == nullptr || node->operation != filling_operation ? nullptr : node;
 }
 

@@ -48,7 +48,7 @@ constexpr double far_off = 10;  // times larger or smaller
 QString times(double factor) { return QString::number(factor, 'f', factor < 100 ? 1 : 0); }
 
 Eigen::AlignedBox3d box_of(const Studio& studio, const WorkObject& object) {
-  const BoundingBox box = studio.bounds(object);
+  const BoundingBox box = placed_bounds(studio, object);
   return box ? Eigen::AlignedBox3d((*box)[0], (*box)[1]) : Eigen::AlignedBox3d();
 }
 
@@ -100,7 +100,7 @@ void scale_to_scene(Studio& studio) {
   const Affine3 map{*by * Eigen::Matrix3d::Identity(), goal - *by * middle};
   studio.session().edit(
       "Scale " + object.name + " to the scene",
-      studio.with_objects_placed(studio.session().document(), {{object.node, moved(object.placement, map)}}));
+      with_objects_placed(studio, studio.session().document(), {{object.node, moved(object.placement, map)}}));
 }
 
 }  // namespace

@@ -92,12 +92,12 @@ void MeshEditingTool::make_panels(PanelDocks& panels) {
 /// A single object that comes from a drawing needs no picking: a plain drag rotates the view then.
 bool MeshEditingTool::works() const {
   const std::size_t enough = mode() == select_mode ? 2 : 1;
-  return mesh_modes.contains(mode()) && (studio().has_cage() || studio().objects().size() >= enough);
+  return mesh_modes.contains(mode()) && (has_cage(studio()) || studio().objects().size() >= enough);
 }
 
 /// Objects aren't moved on the sheets that they are drawn on.
 bool MeshEditingTool::works_in(int view) const {
-  return works() && (studio().has_cage() || !host().viewport().is_drawn_on(view));
+  return works() && (has_cage(studio()) || !host().viewport().is_drawn_on(view));
 }
 
 void MeshEditingTool::set_mode(const QString& mode) {

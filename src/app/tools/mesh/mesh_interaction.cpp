@@ -183,7 +183,7 @@ void MeshEditingTool::feed_object(const MeshEvent& event, int view) {
 
 /// As clicks on elements do: plain replaces, Shift toggles, Ctrl takes away, both add.
 void MeshEditingTool::choose_objects(std::vector<NodeId> nodes, const Modifiers& modifiers) {
-  nodes = studio().with_groups(nodes);
+  nodes = with_groups(studio(), nodes);
   Selection selection = modifiers.shift || modifiers.ctrl ? studio().session().selection() : Selection();
   for (const NodeId node : nodes) {
     const auto is_it = [&](const SelectedItem& item) {

@@ -90,7 +90,7 @@ void PerspectiveDrawingTool::make_group_actions(ActionList& actions) {
         const std::vector<std::string> ids = sheet_.tool().selected();
         StrokeSetting setting;
         setting.role = sheet_.tool().role();
-        if (mode() == select_mode && !ids.empty()) do_and_record(sheet_.tool().set(ids, setting));
+        if (mode() == select_mode && !ids.empty()) do_and_record(recorded::SheetSetting{ids, setting});
         emit state_changed();
       },
       Recorded::ByItself);
@@ -107,7 +107,7 @@ void PerspectiveDrawingTool::make_stroke_actions(ActionList& actions) {
         menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
   };
   const auto set_selected = [this](const StrokeSetting& setting) {
-    do_and_record(sheet_.tool().set(sheet_.tool().selected(), setting));
+    do_and_record(recorded::SheetSetting{sheet_.tool().selected(), setting});
   };
   add("stroke-hidden", tr("&Hidden edge, or seen again"), [this, set_selected] {
     const std::vector<std::string> ids = sheet_.tool().selected();
@@ -216,7 +216,7 @@ void PerspectiveDrawingTool::choose_group(std::optional<StrokeGroup> group) {
   if (group && mode() == select_mode && !ids.empty()) {
     StrokeSetting setting;
     setting.group = group;
-    do_and_record(sheet_.tool().set(ids, setting));
+    do_and_record(recorded::SheetSetting{ids, setting});
   } else {
     sheet_.tool().set_group(group);
   }
@@ -230,27 +230,27 @@ void PerspectiveDrawingTool::apply_fix() {
   const ProposedFix fix = result->fixes.front();
   StrokeSetting setting;
   setting.group = fix.group;
-  host().attempt([&] { do_and_record(sheet_.tool().set({fix.stroke}, setting)); });
+  host().attempt([&] { do_and_record(recorded::SheetSetting{{fix.stroke}, setting}); });
 }
 
 void PerspectiveDrawingTool::toggle_sharp() {
   for (const std::string& id : sheet_.tool().selected())
-    do_and_record(sheet_.tool().choose("sharp", id, !sheet_.tool().is_chosen("sharp", id)));
+    do_and_record(recorded::SheetChoice{"sharp", id, !sheet_.tool().is_chosen("sharp", id)});
 }
 
 void PerspectiveDrawingTool::set_face(bool add) {
   const std::string face = face_of(sheet_.tool().selected());
   const std::string list = add ? "faces" : "no-faces";
-  do_and_record(sheet_.tool().choose(list, face, !sheet_.tool().is_chosen(list, face)));
+  do_and_record(recorded::SheetChoice{list, face, !sheet_.tool().is_chosen(list, face)});
 }
 
 void PerspectiveDrawingTool::complete_mirrored() {
   if (!sheet_.proposal()) return;
   const MirrorPlane plane = sheet_.proposal()->plane;
-  host().attempt([&] { do_and_record(sheet_.tool().complete_mirrored(plane)); });
+  host().attempt([&] { do_and_record(recorded::SheetMirror{plane, {}}); });
 }
 
-// What people tell the perspective tool: known coordinates and lengths at the pen, sets of faces, parameters.
+// What people say to the perspective tool: known coordinates and lengths at the pen, sets of faces, parameters.
 
 QPointF PerspectiveDrawingTool::widget_place(const Vec2& sheet) const {
   return host().viewport().sketch_to_widget({sheet.x(), -sheet.y()});
@@ -263,7 +263,7 @@ void PerspectiveDrawingTool::ask_point(const Vec2& at) {
   entry_->ask(widget_place(at), with_unit(tr("x y z"), sheet_.drawing().unit), text, [this, at](const QString& typed) {
     const auto read = read_point(typed.toStdString(), sheet_.drawing().unit);
     if (!read) return false;
-    return host().attempt([&] { do_and_record(sheet_.tool().set_known_point(KnownPoint{at, *read})); });
+    return host().attempt([&] { do_and_record(recorded::SheetPoint{KnownPoint{at, *read}}); });
   });
   emit state_changed();
 }
@@ -281,7 +281,7 @@ void PerspectiveDrawingTool::ask_length(const std::string& stroke) {
   entry_->ask(widget_place(middle_of_stroke(*drawn)), title, text, [this, stroke](const QString& typed) {
     const auto read = read_length(typed.toStdString(), sheet_.drawing().unit);
     if (!read && !typed.trimmed().isEmpty()) return false;
-    return host().attempt([&] { do_and_record(sheet_.tool().set_known_length(stroke, read)); });
+    return host().attempt([&] { do_and_record(recorded::SheetLength{stroke, read}); });
   });
   emit state_changed();
 }
@@ -312,8 +312,9 @@ void PerspectiveDrawingTool::take_alternative(std::size_t alternative) {
   const PerspectiveResult* result = sheet_.result();
   if (result == nullptr || alternative >= result->alternatives.size()) return;
   const FaceDifference difference = difference_of(*result, result->alternatives[alternative]);
-  host().attempt(
-      [&] { do_and_record(sheet_.tool().choose_faces(names_of(difference.added), names_of(difference.removed))); });
+  host().attempt([&] {
+    do_and_record(recorded::SheetFaces{names_of(difference.added), names_of(difference.removed)});
+  });
 }
 
 /// Of the operation; one undo step, recorded.

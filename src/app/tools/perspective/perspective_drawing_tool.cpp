@@ -151,7 +151,7 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   PerspectivePanelHost needs;
   needs.action = [this](const QString& name) { return host().action(name); };
-  needs.record = [this](Verdict verdict) { do_and_record(verdict); };
+  needs.take = [this](const recorded::Step& step) { do_and_record(step); };
   needs.set_parameter = [this](const std::string& name, const ParameterValue& value) { set_parameter(name, value); };
   needs.choose = [this](const std::string& stroke) {
     if (mode() != select_mode) host().set_mode(select_mode);
@@ -167,8 +167,10 @@ void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   docks_ = &docks;
 }
 
-void PerspectiveDrawingTool::do_and_record(Verdict verdict) {
-  if (verdict == Verdict::Commit) emit committed(*sheet_.tool().done());
+bool PerspectiveDrawingTool::do_and_record(const recorded::Step& step) {
+  const bool done = sheet_.tool().take(step) == Verdict::Commit;
+  if (done) emit committed(*sheet_.tool().done());
+  return done;
 }
 
 void PerspectiveDrawingTool::set_mode(const QString& mode) {
@@ -206,9 +208,7 @@ bool PerspectiveDrawingTool::command(EditCommand command) {
     return true;
   }
   if (command != EditCommand::Delete || studio().sheet_node() == 0) return false;
-  const Verdict verdict = sheet_.tool().delete_selected();
-  do_and_record(verdict);
-  return verdict == Verdict::Commit;
+  return do_and_record(recorded::SheetDelete{sheet_.tool().selected()});
 }
 
 bool PerspectiveDrawingTool::open_step(const Node& step) {
@@ -336,40 +336,13 @@ QString PerspectiveDrawingTool::status() const {
 // Recorded steps of perspective drawings, and what replays can expect of them.
 
 void PerspectiveDrawingTool::make_replays(Replays& replays) {
-  // The first step begins a drawing where there is none.
-  const auto with_tool = [this](auto does) {
-    return [this, does](const auto& step) {
-      if (studio().sheet_node() == 0) host().action("new-perspective")->trigger();
-      does(sheet_.tool(), step);
-    };
-  };
-  replays.on<recorded::SheetStroke>(with_tool([](PerspectiveTool& tool, const auto& step) {
-    step.erases ? tool.erase(step.points, step.scale)
-                : tool.draw(step.points, step.scale, step.group, step.role, step.groups);
-  }));
-  replays.on<recorded::SheetDrag>(with_tool(
-      [](PerspectiveTool& tool, const auto& step) { tool.drag(step.stroke, step.point, step.by, step.alone); }));
-  replays.on<recorded::SheetAim>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.aim(step.axis, step.at); }));
-  replays.on<recorded::SheetSetting>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set(step.strokes, step.setting); }));
-  replays.on<recorded::SheetDelete>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.remove(step.strokes); }));
-  replays.on<recorded::SheetPoint>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_known_point(step.known); }));
-  replays.on<recorded::SheetLength>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_known_length(step.stroke, step.length); }));
-  replays.on<recorded::SheetCamera>(with_tool(
-      [](PerspectiveTool& tool, const auto& step) { tool.set_camera(step.field_of_view, step.principal_point); }));
-  replays.on<recorded::SheetSize>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_sheet(step.size); }));
-  replays.on<recorded::SheetUnit>(with_tool([](PerspectiveTool& tool, const auto& step) { tool.set_unit(step.unit); }));
-  replays.on<recorded::SheetFaces>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.choose_faces(step.required, step.forbidden); }));
-  replays.on<recorded::SheetChoice>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.choose(step.list, step.item, step.on); }));
-  replays.on<recorded::SheetMirror>(
-      with_tool([](PerspectiveTool& tool, const auto& step) { tool.complete_mirrored(step.plane, step.strokes); }));
+  for (const recorded::StepKind* kind : recorded::perspective_steps().kinds()) {
+    replays.plays[kind].push_back([this](const recorded::Step& step) {
+      if (studio().sheet_node() == 0) host().action("new-perspective")->trigger();  // the first one begins a drawing
+      sheet_.tool().take(step);
+      return true;
+    });
+  }
   add_counts(replays, sheet_);
 }
 

@@ -100,7 +100,7 @@ class PerspectiveDrawingTool final : public Tool {
   void toggle_sharp();
   void set_face(bool add);
   void complete_mirrored();
-  void do_and_record(Verdict verdict);
+  bool do_and_record(const recorded::Step& step);  ///< @return whether something changed
   void make_group_actions(ActionList& actions);
   void make_stroke_actions(ActionList& actions);
   void make_keys();

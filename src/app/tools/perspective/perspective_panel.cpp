@@ -97,7 +97,7 @@ void add_camera(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHos
       "perspective-field", {0, 170, 2},
       [&sheet] { return Panel::Number{sheet.drawing().field_of_view.value_or(0) / degree}; },
       [&sheet, host](double degrees) {
-        host.record(sheet.tool().set_camera(known_number(degrees * degree), sheet.drawing().principal_point));
+        host.take(recorded::SheetCamera{known_number(degrees * degree), sheet.drawing().principal_point});
       });
   field->setSpecialValueText(Panel::tr("not known"));
   field->setSuffix(QStringLiteral("°"));
@@ -126,8 +126,8 @@ void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost
     if (index < 1) return;
     const double aspect = shapes[static_cast<std::size_t>(index - 1)].aspect;
     const double longer = sheet.drawing().image_size.maxCoeff();
-    host.record(sheet.tool().set_sheet(aspect > 1 ? Vec2(longer, std::round(longer / aspect))
-                                                  : Vec2(std::round(longer * aspect), longer)));
+    host.take(recorded::SheetSize{aspect > 1 ? Vec2(longer, std::round(longer / aspect))
+                                             : Vec2(std::round(longer * aspect), longer)});
   };
   const auto side = [&](const char* name, int axis) {
     return panel.number(
@@ -135,7 +135,7 @@ void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost
         [&sheet, host, axis](double length) {
           Vec2 size = sheet.drawing().image_size;
           size[axis] = length;
-          host.record(sheet.tool().set_sheet(size));
+          host.take(recorded::SheetSize{size});
         });
   };
   QComboBox* shape =
@@ -156,8 +156,7 @@ void add_known_point(Panel& panel, SheetInteraction& sheet, const PerspectivePan
   forget->setObjectName("perspective-forget-point");
   forget->setToolTip(Panel::tr("No point is known"));
   forget->setMaximumWidth(28);
-  QObject::connect(forget, &QPushButton::clicked, &panel,
-                   [&sheet, host] { host.record(sheet.tool().set_known_point(std::nullopt)); });
+  QObject::connect(forget, &QPushButton::clicked, &panel, [host] { host.take(recorded::SheetPoint{}); });
   panel.row({{pick, 1}, forget});
   panel.also([&sheet, pick, forget] {
     pick->setChecked(sheet.picks() == Pick::Point);
@@ -174,7 +173,7 @@ void add_known_point(Panel& panel, SheetInteraction& sheet, const PerspectivePan
           std::optional<KnownPoint> known = sheet.drawing().known_point;
           if (!known) return;
           known->point[axis] = value;
-          host.record(sheet.tool().set_known_point(known));
+          host.take(recorded::SheetPoint{known});
         });
   };
   panel.row({coordinate("perspective-point-x", 0), coordinate("perspective-point-y", 1),
@@ -200,7 +199,7 @@ void add_known_length(Panel& panel, SheetInteraction& sheet, const PerspectivePa
       },
       [&sheet, host](double value) {
         const std::vector<std::string> ids = sheet.tool().selected();
-        if (ids.size() == 1) host.record(sheet.tool().set_known_length(ids.front(), known_number(value)));
+        if (ids.size() == 1) host.take(recorded::SheetLength{ids.front(), known_number(value)});
       });
   length->setSpecialValueText(Panel::tr("not known"));
   panel.row({{title, 1}, length});
@@ -215,7 +214,7 @@ void add_known_length(Panel& panel, SheetInteraction& sheet, const PerspectivePa
   panel.row({{panel.label(Panel::tr("Unit of lengths")), 1},
              panel.choice_of_values(
                  "perspective-unit", units, [&sheet] { return sheet.drawing().unit; },
-                 [&sheet, host](const std::string& unit) { host.record(sheet.tool().set_unit(unit)); },
+                 [host](const std::string& unit) { host.take(recorded::SheetUnit{unit}); },
                  Panel::tr("Of all lengths and coordinates; known ones keep their size when it changes"))});
 }
 

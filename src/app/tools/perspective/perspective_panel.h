@@ -11,8 +11,8 @@ namespace croquis::app {
 
 /// What the panel needs of its tool, beside the sheet.
 struct PerspectivePanelHost {
-  std::function<QAction*(const QString&)> action;  ///< of the window, by its name: buttons do what menus and keys do
-  std::function<void(Verdict)> record;             ///< what the sheet's tool has done
+  std::function<QAction*(const QString&)> action;   ///< of the window, by its name: buttons do what menus and keys do
+  std::function<void(const recorded::Step&)> take;  ///< by the sheet's tool, recorded
   std::function<void(const std::string& name, const ParameterValue&)> set_parameter;  ///< of the operation
   std::function<void(const std::string& stroke)> choose;                              ///< it is selected
   std::function<void(double opacity)> overlay;  ///< of the drawing over the solid, 0 to 1

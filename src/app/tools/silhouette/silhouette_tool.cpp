@@ -140,7 +140,7 @@ bool SilhouetteTool::has_view(int view) const {
 }
 
 bool SilhouetteTool::is_paper(int view) const {
-  return has_view(view) && (scene_.has_strokes() || !studio().has_cage());
+  return has_view(view) && (scene_.has_strokes() || !has_cage(studio()));
 }
 
 ViewUse SilhouetteTool::use_of(int view) const {

@@ -46,7 +46,7 @@ const std::string level_parameter = "levels";
 constexpr int finest_shown = 6;  // finer levels are for files
 
 const Node* smoothing_node(const Studio& studio) {
-  const Node* node = studio.active_operation();
+  const Node* node = active_operation(studio);
   return node == nullptr || node->operation != smoothing_operation ? nullptr : node;
 }
 
@@ -137,7 +137,7 @@ void Comparison::choose(const std::string& parameter, const std::string& value) 
 QString Comparison::title() const { return title_; }
 
 void Comparison::follow() {
-  const Node* node = studio_.active_operation();
+  const Node* node = active_operation(studio_);
   const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
   const ParameterDescription* parameter =
       operation == nullptr ? nullptr : find_parameter(operation->parameters, parameter_);

@@ -226,7 +226,7 @@ NetworkInteraction::NetworkInteraction(Studio& studio, Viewport& views)
       tool_(studio.session(), studio.network_options()),
       meshes_(studio),
       network_(no_network()) {
-  tool_.set_ground({Vec3::Zero(), Vec3::UnitZ()});
+  tool_.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
   connect(&pen_watch_, &QTimer::timeout, this,
           [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
 }
@@ -235,9 +235,9 @@ Findings NetworkInteraction::findings() const { return shown_.result ? shown_.re
 
 ViewFrame NetworkInteraction::frame_of(int view) const { return seen_from(views_.frame_of(view), shown_.to_world); }
 
-void NetworkInteraction::act(const std::function<Verdict(SurfaceTool&)>& work) {
+void NetworkInteraction::act(const recorded::Step& step) {
   try {
-    finish(work(tool_));
+    finish(tool_.take(step));
   } catch (const Error& error) {
     emit told(network_sentences(error.findings()));
   }
@@ -288,13 +288,7 @@ void NetworkInteraction::take_pen(const std::vector<PenStep>& steps) {
 
 void NetworkInteraction::feed(const PenStep& step) {
   gesture_view_ = step.view;
-  SurfaceEvent event;
-  event.pointer.kind = step.kind;
-  event.pointer.pixel = step.sample.position;
-  event.pointer.modifiers = step.modifiers;
-  event.pointer.frame = frame_of(step.view);
-  event.pointer.time = step.sample.time;
-  event.pressure = step.sample.pressure;
+  const MeshEvent event{step.kind, step.sample.position, step.modifiers, frame_of(step.view), step.sample.time};
   try {
     const Verdict verdict = tool_.handle(event);
     if (step.kind == PenStep::Kind::End || step.kind == PenStep::Kind::Cancel) finish(verdict);
@@ -340,7 +334,7 @@ void NetworkInteraction::add_to(render::Scene& scene, int view) const {
 
 void NetworkInteraction::follow_document() {
   const NodeId node = studio_.network_node();
-  if (!pen_.down()) tool_.set_node(node);
+  if (!pen_.down()) tool_.settings().node = node;
   const auto network = source_of<AttributeNetwork>(studio_.session().document().find(node));
   network_ = network ? network : no_network();
   follow_result();
@@ -354,7 +348,7 @@ void NetworkInteraction::follow_result() {
   if (now.result != shown_.result || now.mesh != shown_.mesh || now.to_world != shown_.to_world) {
     const WorkObject* object = studio_.object(operation);
     sight_ = std::make_shared<NetworkSight>(now, object == nullptr ? operation : object->node, meshes_);
-    tool_.set_sight(sight_);
+    tool_.settings().sight = sight_;
   }
   shown_ = std::move(now);
   scene_.show_network(*network_, shown_, tool_.selected());

@@ -4,7 +4,6 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -85,8 +84,8 @@ class NetworkInteraction : public QObject {
   SurfaceTool& tool() { return tool_; }
   const SurfaceTool& tool() const { return tool_; }
 
-  /// Runs one of the tool's functions; what it did is recorded, what it refused is told.
-  void act(const std::function<Verdict(SurfaceTool&)>& work);
+  /// Does a step of the tool; what it did is recorded, why it did nothing is shown.
+  void act(const recorded::Step& step);
 
   void set_mode(SurfaceMode mode);
   void take(const PointerEvent& event);  ///< its place in its view's pixels

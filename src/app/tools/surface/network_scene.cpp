@@ -154,7 +154,7 @@ ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operatio
   }
   shown.result = operation == 0 ? nullptr : studio.result(operation);
   shown.found = result_of<SurfaceResult>(shown.result.get());
-  shown.mesh = shown.found == nullptr ? nullptr : studio.mesh_at(operation);
+  shown.mesh = shown.found == nullptr ? nullptr : mesh_at(studio, operation);
   return shown;
 }
 

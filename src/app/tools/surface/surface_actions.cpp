@@ -81,35 +81,33 @@ void SurfaceDrawingTool::make_element_actions(ActionList& actions) {
     action->setIconText(icon_text);
     action->setToolTip(action->text().remove('&'));
   };
-  const auto act = [this](Verdict (SurfaceTool::*work)()) {
-    return [this, work] { network_.act([work](SurfaceTool& tool) { return (tool.*work)(); }); };
-  };
   add("fill-loop", tr("&Patch of the selected curves, or of the closed loop") + "\t" + tr("Enter"), tr("Patch"),
       [this] {
         const std::vector<std::string> loop = chips_.offered();
-        network_.act([&](SurfaceTool& tool) { return loop.empty() ? tool.fill_selected() : tool.fill_loop(loop); });
+        network_.act(recorded::SurfacePatch{loop.empty() ? network_.tool().selected().curves : loop});
       });
-  add("toggle-join", tr("&Smooth, or crease again") + "\t" + tr("S"), tr("Smooth"), act(&SurfaceTool::cycle_join));
+  add("toggle-join", tr("&Smooth, or crease again") + "\t" + tr("S"), tr("Smooth"),
+      [this] { network_.act(other_join(network_.network(), network_.tool().selected().curves)); });
   add("split-element", tr("S&plit the selected curve, or the patch that it divides"), tr("Split"),
       [this] { split_selected(); });
   add("merge-patches", tr("&Merge the two patches beside the selected curve"), tr("Merge"), [this] {
     const std::string curve = network_.tool().selected().curves.front();
-    network_.act([&](SurfaceTool& tool) { return tool.merge_faces(curve); });
+    network_.act(recorded::SurfaceMerge{curve});
   });
   add("turn-patches", tr("&Turn the selected patches round"), tr("Turn"), [this] {
     const std::vector<std::string> faces = network_.tool().selected().faces;
-    network_.act([&](SurfaceTool& tool) { return tool.turn_faces(faces); });
+    network_.act(recorded::SurfaceFaceSetting{faces, {}, true});
   });
   add("automatic-slope", tr("Slopes along the selected curve &automatic"), tr("Automatic"), [this] {
     for (const SlopeTip& slope : network_.tool().slopes())
-      if (!slope.automatic) network_.act([&](SurfaceTool& tool) { return tool.remove_slope(slope.side); });
+      if (!slope.automatic) network_.act(recorded::SurfaceSlope{slope.side, {}});
   });
   menu->addSeparator();
   const std::array<QString, 3> axes{tr("x"), tr("y"), tr("z")};
   for (int axis = 0; axis < 3; ++axis) {
     const auto place = static_cast<std::size_t>(axis);
     add(mirror_actions[place], tr("Mirror &across %1 = 0").arg(axes[place]), tr("Mirror"),
-        [this, axis] { network_.act([axis](SurfaceTool& tool) { return tool.mirror(plane_across(axis)); }); });
+        [this, axis] { network_.act(recorded::SurfaceMirror{plane_across(axis)}); });
   }
   add("symmetric-edit", tr("S&ymmetric editing"), tr("Symmetric"), [this] { toggle_symmetry(); });
   actions.find("symmetric-edit")->setCheckable(true);
@@ -125,8 +123,8 @@ void SurfaceDrawingTool::make_view_actions(ActionList& actions) {
     action->setCheckable(true);
     choice->addAction(action);
   };
-  add_plane(0, tr("the &ground"), [this] { network_.tool().set_plane(SurfacePlane::Ground); });
-  add_plane(1, tr("a plane across the &view"), [this] { network_.tool().set_plane(SurfacePlane::View); });
+  add_plane(0, tr("the &ground"), [this] { network_.tool().settings().plane = SurfacePlane::Ground; });
+  add_plane(1, tr("a plane across the &view"), [this] { network_.tool().settings().plane = SurfacePlane::View; });
   add_plane(2, tr("a plane through what is &selected"), [this] { draw_through_selected(); });
   actions.find("plane-ground")->setChecked(true);
   menu->addSeparator();
@@ -158,9 +156,9 @@ void SurfaceDrawingTool::begin_new() {
 void SurfaceDrawingTool::split_selected() {
   const NetworkElements selected = network_.tool().selected();
   if (const auto divided = divided_face(network_.network(), selected)) {
-    network_.act([&](SurfaceTool& tool) { return tool.split_face(divided->first, divided->second); });
+    network_.act(recorded::SurfaceSplit{divided->second, {}, divided->first});
   } else if (selected.curves.size() == 1) {
-    network_.act([&](SurfaceTool& tool) { return tool.split_curve(selected.curves.front(), 0.5); });
+    network_.act(recorded::SurfaceSplit{selected.curves.front(), 0.5, {}});
   }
 }
 
@@ -170,7 +168,8 @@ void SurfaceDrawingTool::draw_through_selected() {
   if (!frame) return;
   const glm::dvec3 middle = frame->bounds.center();
   const Vec3 place = inverse_of(network_.to_world())(Vec3(middle.x, middle.y, middle.z));
-  network_.tool().set_chosen_plane(view_plane(network_.frame_of(PerspectiveView), place));
+  network_.tool().settings().chosen = view_plane(network_.frame_of(PerspectiveView), place);
+  network_.tool().settings().plane = SurfacePlane::Chosen;
   host().set_mode("draw");
 }
 
@@ -186,7 +185,7 @@ SymmetryPlane SurfaceDrawingTool::mirror_plane() const {
 void SurfaceDrawingTool::toggle_symmetry() {
   const bool on = !network_.tool().symmetry().has_value();
   const auto plane = on ? std::optional(mirror_plane()) : std::optional<SymmetryPlane>();
-  network_.act([&](SurfaceTool& tool) { return tool.set_symmetry(plane); });
+  network_.act(recorded::SurfaceSymmetry{plane});
 }
 
 void SurfaceDrawingTool::refresh() {
@@ -216,7 +215,7 @@ void SurfaceDrawingTool::refresh() {
   host().action("symmetric-edit")->setChecked(here && network_.tool().symmetry().has_value());
   host().action("compare-uniform")->setChecked(ghost_.on());
   host().action("normal-jump")->setChecked(network_.shows_jumps());
-  host().action(plane_actions[static_cast<std::size_t>(network_.tool().plane())])->setChecked(true);
+  host().action(plane_actions[static_cast<std::size_t>(network_.tool().settings().plane)])->setChecked(true);
   for (const OperationDescription* operation : taking_.ways())
     enable(taking_action(*operation), taking_.can_take(*operation));
   if (docks_ == nullptr) return;

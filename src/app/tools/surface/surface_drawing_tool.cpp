@@ -234,7 +234,7 @@ bool SurfaceDrawingTool::command(EditCommand command) {
     for (const NetworkElement kind : {NetworkElement::Node, NetworkElement::Curve, NetworkElement::Point})
       all.of(kind) = element_ids(network_.network(), kind);
     host().set_mode(select_mode);
-    network_.act([&](SurfaceTool& tool) { return tool.choose(all); });
+    network_.act(recorded::SurfaceChoice{all});
     return true;
   }
   if (command == EditCommand::Accept && works && host().action("fill-loop")->isEnabled()) {
@@ -243,7 +243,10 @@ bool SurfaceDrawingTool::command(EditCommand command) {
   }
   const bool deletes = command == EditCommand::Delete;
   if (!has_selection() || !(deletes || command == EditCommand::SelectNone)) return false;
-  network_.act([=](SurfaceTool& tool) { return deletes ? tool.delete_selected() : tool.choose({}); });
+  if (deletes)
+    network_.act(recorded::SurfaceDelete{network_.tool().selected()});
+  else
+    network_.act(recorded::SurfaceChoice{});
   return true;
 }
 
@@ -269,7 +272,7 @@ void SurfaceDrawingTool::add_to(render::Scene& scene, int view) {
   if (!is_there()) return;
   if (const UniformGhost::Compared* compared = ghost_.compared(); compared != nullptr && compared->item)
     scene.meshes.emplace_back(compared->item, render::Emphasis{}, render::MeshStyle::translucent(ghost_opacity));
-  const bool on_ground = mode() == "draw" && network_.tool().plane() == SurfacePlane::Ground;
+  const bool on_ground = mode() == "draw" && network_.tool().settings().plane == SurfacePlane::Ground;
   if (on_ground && view == PerspectiveView)
     scene.lines.emplace_back(ground_lines(network_.scene().bounds(), network_.to_world()));
   network_.add_to(scene, view);
@@ -352,7 +355,7 @@ bool SurfaceDrawingTool::show_finding(const NodeFinding& found) {
 void SurfaceDrawingTool::look_at(const NetworkElements& elements) {
   if (elements.empty()) return;
   if (mode() != select_mode) host().set_mode(select_mode);
-  network_.act([&](SurfaceTool& tool) { return tool.choose(elements); });
+  network_.act(recorded::SurfaceChoice{elements});
   host().viewport().frame_selection();
 }
 
@@ -375,7 +378,7 @@ void SurfaceDrawingTool::make_replays(Replays& replays) {
     replays.plays[kind].push_back([this](const recorded::Step& step) {
       if (!is_there()) host().action("new-surface")->trigger();
       network_.follow_document();
-      network_.tool().replay(step);
+      network_.tool().take(step);
       network_.follow_document();
       return true;
     });

@@ -67,12 +67,12 @@ std::vector<SlopeTip> slopes_of(NetworkInteraction& network) {
 
 void set_faces(NetworkInteraction& network, const FaceSetting& setting) {
   const std::vector<std::string> faces = faces_meant(network);
-  if (!faces.empty()) network.act([&](SurfaceTool& tool) { return tool.set_faces(faces, setting); });
+  if (!faces.empty()) network.act(recorded::SurfaceFaceSetting{faces, setting, false});
 }
 
 void set_points(NetworkInteraction& network, const PointSetting& setting) {
   const std::vector<std::string> points = network.tool().selected().points;
-  if (!points.empty()) network.act([&](SurfaceTool& tool) { return tool.set_points(points, setting); });
+  if (!points.empty()) network.act(recorded::SurfacePointSetting{points, setting});
 }
 
 /// A normal that is asked for begins as the surface's own.
@@ -178,7 +178,7 @@ void add_slope(Panel& panel, NetworkInteraction& network, QGridLayout& grid, std
         if (side >= sides.size()) return;
         SlopeHandle handle{sides[side].at, {}, value};
         if (sides[side].automatic) handle.normal = sides[side].frame.normal;
-        network.act([&](SurfaceTool& tool) { return tool.set_slope(sides[side].side, handle); });
+        network.act(recorded::SurfaceSlope{sides[side].side, handle});
       },
       Panel::tr("How strongly the patch leaves the curve"));
   magnitude->setSingleStep(0.1);
@@ -201,20 +201,19 @@ void add_curves(Panel& panel, NetworkInteraction& network) {
                               : counted_ids(curves, Panel::tr("Curve %1"), Panel::tr("%1 curves"));
       },
       [&network] { return !network.tool().selected().curves.empty(); });
-  add_labelled(*grid, 0, panel.label(Panel::tr("Join")),
-               panel.choice(
-                   "surface-join", {Panel::tr("crease"), Panel::tr("smooth")},
-                   [&network]() -> std::optional<int> {
-                     const auto* curve = first_of(network.network().curves, network, NetworkElement::Curve,
-                                                  network.tool().selected().curves);
-                     return curve == nullptr ? std::nullopt : std::optional(static_cast<int>(curve->join));
-                   },
-                   [&network](int index) {
-                     network.act([&](SurfaceTool& tool) {
-                       return tool.set_join(tool.selected().curves, static_cast<CurveJoin>(index));
-                     });
-                   },
-                   Panel::tr("How the two patches beside a curve meet in it (S)")));
+  add_labelled(
+      *grid, 0, panel.label(Panel::tr("Join")),
+      panel.choice(
+          "surface-join", {Panel::tr("crease"), Panel::tr("smooth")},
+          [&network]() -> std::optional<int> {
+            const auto* curve =
+                first_of(network.network().curves, network, NetworkElement::Curve, network.tool().selected().curves);
+            return curve == nullptr ? std::nullopt : std::optional(static_cast<int>(curve->join));
+          },
+          [&network](int index) {
+            network.act(recorded::SurfaceJoin{network.tool().selected().curves, static_cast<CurveJoin>(index)});
+          },
+          Panel::tr("How the two patches beside a curve meet in it (S)")));
   add_labelled(*grid, 1, panel.label(Panel::tr("Inner curve")),
                panel.choice(
                    "surface-inner-profile", {Panel::tr("round"), Panel::tr("ridge")},
@@ -226,7 +225,7 @@ void add_curves(Panel& panel, NetworkInteraction& network) {
                      InnerSetting setting;
                      setting.profile = static_cast<InnerProfile>(index);
                      for (const std::string& curve : network.tool().selected().curves)
-                       network.act([&](SurfaceTool& tool) { return tool.set_inner(curve, setting); });
+                       network.act(recorded::SurfaceInner{curve, {}, false, setting});
                    },
                    Panel::tr("What the patch does along a curve inside it")));
   for (std::size_t side = 0; side < 2; ++side) add_slope(panel, network, *grid, side);

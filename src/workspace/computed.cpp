@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "croquis/workspace/computed.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "croquis/workspace/chain.h"
+
+namespace croquis {
+namespace {
+
+bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
+
+bool is_waiting(const Finding& finding) { return finding.code == "E_INPUT_FAILED"; }
+
+}  // namespace
+
+std::shared_ptr<const PolyMesh> mesh_at(const Workspace& workspace, NodeId id) {
+  const Node* node = workspace.session().document().find(id);
+  if (node == nullptr) return nullptr;
+  if (node->source) return mesh_in(*node);
+  const OperationDescription* operation = workspace.description(node->operation);
+  const auto evaluation = operation == nullptr ? nullptr : workspace.result(id);
+  return evaluation ? mesh_of(*evaluation, *operation) : nullptr;
+}
+
+std::shared_ptr<const PolyMesh> final_mesh(const Workspace& workspace, const Document& document, NodeId id) {
+  const Node* node = document.find(id);
+  if (node == nullptr) return nullptr;
+  if (node->source) return mesh_in(*node);
+  const OperationDescription* operation = workspace.description(node->operation);
+  const auto kept = operation == nullptr ? nullptr : workspace.evaluator().find(document, id);
+  const bool is_final = kept && !kept->failed && kept->quality == Quality::Final;
+  return is_final ? mesh_of(*kept, *operation) : nullptr;
+}
+
+Value value_along(const Workspace& workspace, const WorkObject& object, ValueType type) {
+  Affine3 later = object.placement.map();
+  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
+    const Node* node = workspace.session().document().find(*id);
+    if (node == nullptr) return {};
+    if (node->source) {
+      return node->source->type() == type ? node->source->transformed(composed(later, node->transform)) : Value();
+    }
+    const auto found = workspace.result(*id);
+    if (found != nullptr && !found->failed && found->quality == Quality::Final) {
+      for (const auto& [port, value] : found->outputs) {
+        if (value.type() == type && value.has_content()) return value.transformed(later);
+      }
+    }
+    later = composed(later, node->transform);
+  }
+  return {};
+}
+
+bool has_cage(const Workspace& workspace) {
+  return std::ranges::any_of(workspace.objects(), [](const WorkObject& object) { return object.cage != 0; });
+}
+
+BoundingBox placed_bounds(const Workspace& workspace, const WorkObject& object) {
+  const BoundingBox own = workspace.own_bounds(object);
+  return own ? BoundingBox(transformed(*own, object.placement.map())) : std::nullopt;
+}
+
+bool begins_empty(const Document& document, const WorkObject& object) {
+  const Node* first = document.find(object.chain.front());
+  const auto sketch = source_of<Drawing>(first);
+  const auto sheet = source_of<PerspectiveDrawing>(first);
+  const auto network = source_of<AttributeNetwork>(first);
+  return (sketch && sketch->strokes.empty()) || (sheet && sheet->strokes.empty()) ||
+         (network && network->faces.empty());
+}
+
+std::vector<NodeFinding> findings_of(const Workspace& workspace) {
+  std::vector<NodeFinding> findings;
+  for (const WorkObject& object : workspace.objects()) {
+    if (!object.result) continue;
+    const Findings& of_object = object.result->findings;
+    // Who waits is seen in the list of steps.
+    const bool explained =
+        std::ranges::any_of(of_object, [](const Finding& f) { return is_error(f) && !is_waiting(f); });
+    for (const Finding& finding : of_object) {
+      if (explained && is_waiting(finding)) continue;
+      findings.push_back({is_error(finding) ? failing_step(workspace, object.node) : object.node, finding});
+    }
+  }
+  std::stable_partition(findings.begin(), findings.end(), [](const NodeFinding& f) { return is_error(f.finding); });
+  return findings;
+}
+
+NodeId failing_step(const Workspace& workspace, NodeId step) {
+  const auto kept = workspace.evaluator().find(workspace.session().document(), step);
+  if (!kept) return step;
+  const auto waiting = std::ranges::find_if(kept->findings, is_waiting);
+  return waiting == kept->findings.end() ? step : failing_step(workspace, std::stoull(waiting->subjects.front().id));
+}
+
+KeptResults kept_results(const Workspace& workspace) {
+  const Document& document = workspace.session().document();
+  const Registry& registry = workspace.registry();
+  KeptResults kept;
+  for (const WorkObject& object : workspace.objects()) {
+    bool after_edits = false;
+    for (const NodeId id : object.chain) {
+      const Node& node = *document.find(id);
+      after_edits = after_edits || edits_input(node, registry);
+      const auto now = after_edits ? workspace.evaluator().find(document, id) : nullptr;
+      if (!after_edits || (now && !now->failed)) continue;
+      KeptResult of;
+      const auto good = workspace.evaluator().last_good(id);
+      const auto output = good ? good->outputs.find(main_link(node, registry).output) : Values::const_iterator();
+      if (good && output != good->outputs.end()) of.result = output->second;
+      if (auto input = workspace.edited_input(id)) of.edited = std::move(input);
+      kept[id] = std::move(of);
+    }
+  }
+  return kept;
+}
+
+}  // namespace croquis
