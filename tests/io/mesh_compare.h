@@ -6,7 +6,7 @@
 #include "croquis/base/error.h"
 #include "croquis/geometry/poly_mesh.h"
 #include "croquis/io/mesh_file.h"
-#include "fuzz/mesh_property.h"
+#include "fuzz/readers.h"
 
 namespace croquis::test {
 

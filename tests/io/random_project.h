@@ -6,7 +6,7 @@
 #include "croquis/io/project_file.h"
 #include "support/random.h"
 
-/// Projects with everything in them that a document can hold, and how to tell them apart.
+/// Projects with everything in them that a document can hold, and how they differ.
 namespace croquis::test {
 
 PolyMesh random_mesh(Random& random);
@@ -24,7 +24,7 @@ Document random_document(Random& random, std::uint32_t nodes);
 /// Any bytes, rarely many.
 std::string random_text(Random& random);
 
-/// The first difference in anything that a project keeps, doubles by their bits; empty when there is none.
+/// The first node with a difference in anything that a project keeps; empty when there is none.
 std::string difference(const Document& a, const Document& b);
 
 }  // namespace croquis::test

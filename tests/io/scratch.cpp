@@ -2,7 +2,6 @@
 #include "io/scratch.h"
 
 #include <fstream>
-#include <stdexcept>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,23 +11,6 @@
 namespace croquis::test {
 
 namespace fs = std::filesystem;
-
-Scratch::Scratch() {
-  std::string pattern = (fs::temp_directory_path() / "croquis-project-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-Scratch::~Scratch() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::set<std::string> Scratch::names() const {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.insert(entry.path().filename().string());
-  return names;
-}
 
 void write_bytes(const fs::path& path, const std::string& bytes) {
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);

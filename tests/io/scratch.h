@@ -5,25 +5,22 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "croquis/base/finding.h"
+#include "support/scratch_folder.h"
 
 namespace croquis::test {
 
-/// A folder of its own, gone at the end.
-class Scratch {
+/// A folder of its own, gone at the end, whose files are named by paths.
+class Scratch : public ScratchFolder {
  public:
-  Scratch();
-  ~Scratch();
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path() / name; }
 
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  std::set<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
+  std::set<std::string> names() const {
+    const std::vector<std::string> all = ScratchFolder::names();
+    return {all.begin(), all.end()};
+  }
 };
 
 void write_bytes(const std::filesystem::path& path, const std::string& bytes);

@@ -7,10 +7,8 @@
 #include "croquis/document/value_bytes.h"
 #include "croquis/io/attribute_network_file.h"
 #include "croquis/io/file.h"
-#include "fuzz/network_property.h"
 #include "io/random_project.h"
 #include "support/random.h"
-#include "support/sample_count.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -158,25 +156,4 @@ TEST_CASE("a mirrored network keeps its faces outside and its points in their pl
   };
   network.points[0].fan = FanPlace{1, 0.1, 0.4};
   CHECK((place(transformed(network, map)) - map(place(network))).norm() < 1e-15);
-}
-
-TEST_CASE("damaged attribute networks are refused or read, never worse") {
-  Random random(5);
-  for (const auto& entry : std::filesystem::directory_iterator(network_seeds)) {
-    const std::string good = read_file(entry.path().string());
-    CHECK(broken_attribute_network(good) == "");
-    for (int i = 0; i < sample_count(400, 20000); ++i) {
-      std::string bytes = good;
-      for (std::uint32_t k = 1 + random.below(3); k > 0; --k) {
-        const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-        if (random.below(3) == 0) {
-          bytes.erase(at, 1 + random.below(12));
-        } else {
-          bytes[at] = "0123456789-+e.\"[]{},:abNaN"[random.below(26)];
-        }
-      }
-      INFO(bytes);
-      CHECK(broken_attribute_network(bytes) == "");
-    }
-  }
 }

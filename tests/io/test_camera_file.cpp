@@ -8,7 +8,6 @@
 #include "croquis/base/error.h"
 #include "croquis/io/camera_file.h"
 #include "croquis/io/json.h"
-#include "fuzz/perspective_property.h"
 #include "support/perspective/views.h"
 #include "support/random.h"
 
@@ -149,21 +148,4 @@ TEST_CASE("cameras: files that hold none are refused") {
   CHECK(code_of(project(state).substr(0, 10)) == "E_TRUNCATED");
   CHECK(code_of(project(state).substr(0, 100)) == "E_TRUNCATED");
   CHECK(code_of("fspy" + little_word(1) + little_word(0xffffffff) + little_word(0) + state) == "E_TRUNCATED");
-}
-
-TEST_CASE("cameras: damaged files are refused or read, and nothing else") {
-  Random random(23);
-  const std::string json = write_camera_json(some_camera(View{}));
-  for (const std::string& whole : {json, fspy_part(json), project("{\"cameraParameters\":" + fspy_part(json) + "}")}) {
-    for (int round = 0; round < 300; ++round) {
-      std::string damaged = whole;
-      for (std::uint32_t i = 1 + random.below(3); i > 0; --i) {
-        const auto place = random.below(static_cast<std::uint32_t>(damaged.size()));
-        damaged[place] =
-            random.below(2) ? static_cast<char>(random.below(256)) : static_cast<char>('0' + random.below(10));
-      }
-      INFO(damaged);
-      CHECK(broken_camera(damaged) == "");
-    }
-  }
 }

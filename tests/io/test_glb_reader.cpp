@@ -320,17 +320,3 @@ TEST_CASE("a small file that repeats a mesh ten thousand times over and over is 
   CHECK(findings[0].code == "E_TOO_LARGE");
   CHECK(findings[0].category == Category::Limit);
 }
-
-TEST_CASE("reading GLB stops when asked to and reports progress up to one") {
-  const std::string bytes = write(grid(300, 300), MeshFormat::Glb).bytes;
-  double last = 0;
-  Progress watched([&](double fraction, const std::string&) {
-    CHECK(fraction >= last);
-    last = fraction;
-  });
-  read_mesh(bytes, MeshFormat::Glb, "file", watched);
-  CHECK(last == 1);
-  const std::atomic<bool> cancel = true;
-  Progress cancelled({}, &cancel);
-  CHECK_THROWS_AS(read_mesh(bytes, MeshFormat::Glb, "file", cancelled), Cancelled);
-}

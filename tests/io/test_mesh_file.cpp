@@ -254,7 +254,8 @@ TEST_CASE("reading and writing stop when asked to and report progress up to one"
                                    {MeshFormat::Ply, false},
                                    {MeshFormat::Off, true},
                                    {MeshFormat::Stl, true},
-                                   {MeshFormat::Stl, false}}) {
+                                   {MeshFormat::Stl, false},
+                                   {MeshFormat::Glb, false}}) {
     const MeshWriteOptions options{0, encoding.ascii};
     const std::string bytes = write(mesh, encoding.format, options).bytes;
     double last = 0;

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
-
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/io/file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/mesh_tags_file.h"
-#include "fuzz/tags_property.h"
-#include "support/random.h"
-#include "support/sample_count.h"
 
 using namespace croquis;
-using namespace croquis::test;
 
 namespace {
 
@@ -69,32 +62,6 @@ TEST_CASE("tags that count vertices from 1 are understood everywhere") {
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "E_INDEX");
   CHECK_THAT(findings[0].message, Catch::Contains("pins[1]"));
-}
-
-TEST_CASE("damaged tags are refused or read, never a crash") {
-  std::size_t seeds = 0;
-  Random random(5);
-  for (const auto& entry : std::filesystem::directory_iterator(CROQUIS_FUZZ_FOLDER "/corpus/tags")) {
-    const std::string seed = read_file(entry.path().string());
-    CHECK(broken_tags(seed) == "");
-    for (int i = 0; i < sample_count(500, 20'000); ++i) {
-      std::string bytes = seed;
-      for (std::uint32_t k = 1 + random.below(3); k > 0; --k) {
-        const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-        const char c = "{}[]\",:-e0 9\xff\n"[random.below(14)];
-        if (random.below(2) == 0) {
-          bytes[at] = c;
-        } else {
-          bytes.erase(at, 1 + random.below(4));
-        }
-        if (bytes.empty()) bytes = c;
-      }
-      const std::string broken = broken_tags(bytes);
-      if (!broken.empty()) FAIL(broken << "\n" << bytes);
-    }
-    ++seeds;
-  }
-  CHECK(seeds >= 3);
 }
 
 TEST_CASE("members that tags don't have are passed over with one warning for each name") {

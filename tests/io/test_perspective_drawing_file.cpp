@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/base/error.h"
-#include "croquis/io/file.h"
 #include "croquis/io/perspective_drawing_file.h"
-#include "fuzz/perspective_property.h"
+#include "fuzz/readers.h"
 #include "support/perspective/solid_drawing.h"
 #include "support/random.h"
 
@@ -128,7 +126,7 @@ TEST_CASE("perspective drawings: those of the test solids come back the same, wi
       const PerspectiveReadResult result = read(write_perspective_svg(drawing));
       CHECK(same_drawing(result.drawing, drawing));
       CHECK(result.warnings.empty());
-      CHECK(broken_perspective(write_perspective_svg(drawing)).empty());
+      CHECK(fuzzed_reader("perspective").verdict_on(write_perspective_svg(drawing)).broken == "");
     }
   }
 }
@@ -337,39 +335,4 @@ TEST_CASE("perspective drawings: malformed JSON is refused with all its places")
                                         "strokes[2].pieces", "strokes[3].link",  "strokes[3].pieces"};
   REQUIRE(found.size() == places.size());
   for (std::size_t i = 0; i < places.size(); ++i) CHECK(found[i].message.find(places[i]) != std::string::npos);
-}
-
-TEST_CASE("perspective drawings: damaged files are refused or read, and nothing else") {
-  Random random(17);
-  SolidDrawingOptions options;
-  options.noise = 1;
-  const PerspectiveDrawing drawing = drawn(camera_ring(), View{}, options).drawing;
-  for (const std::string& whole : {write_perspective_svg(drawing), write_perspective_json(drawing)}) {
-    for (int round = 0; round < 400; ++round) {
-      std::string damaged = whole;
-      for (std::uint32_t i = 1 + random.below(4); i > 0; --i) {
-        const auto place = random.below(static_cast<std::uint32_t>(damaged.size()));
-        switch (random.below(3)) {
-          case 0: damaged[place] = static_cast<char>(random.below(256)); break;
-          case 1: damaged.erase(place, 1 + random.below(20)); break;
-          default: damaged.insert(place, damaged.substr(random.below(static_cast<std::uint32_t>(damaged.size())), 9));
-        }
-      }
-      INFO(damaged);
-      CHECK(broken_perspective(damaged) == "");
-    }
-  }
-}
-
-TEST_CASE("perspective drawings: inputs that once broke their reader stay harmless") {
-  std::size_t replayed = 0;
-  for (const char* folder : {"regressions", "corpus"}) {
-    const auto inputs = std::filesystem::path(CROQUIS_FUZZ_FOLDER) / folder / "perspective";
-    for (const auto& entry : std::filesystem::directory_iterator(inputs)) {
-      INFO(entry.path());
-      CHECK(broken_perspective(read_file(entry.path().string())) == "");
-      ++replayed;
-    }
-  }
-  CHECK(replayed >= 4);
 }

@@ -11,12 +11,13 @@
 #include "croquis/document/value_bytes.h"
 #include "croquis/io/file.h"
 #include "croquis/io/project_file.h"
-#include "fuzz/project_property.h"
+#include "fuzz/readers.h"
 #include "io/random_project.h"
 #include "io/scratch.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
 #include "support/sanitizers.h"
+#include "support/trial_operation.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -27,12 +28,8 @@ namespace {
 /// A mesh, a drawing and an operation on them.
 Document small_document() {
   Random random(7);
-  Node mesh;
-  mesh.name = "body";
-  mesh.source = std::make_shared<const PolyMesh>(cube());
-  Node drawing;
-  drawing.name = "lines";
-  drawing.source = std::make_shared<const Drawing>(random_drawing(random));
+  const Node mesh = source_node(std::make_shared<const PolyMesh>(cube()), "body");
+  const Node drawing = source_node(std::make_shared<const Drawing>(random_drawing(random)), "lines");
   Node operation;
   operation.name = "solid";
   operation.operation = "inflate";
@@ -93,7 +90,7 @@ std::size_t peak_bytes() {
 
 /// Refused with a sentence, or read; without a warning only when nothing is lost.
 void check_damaged(const std::string& bytes, const Document& original) {
-  CHECK(broken_project(bytes) == "");
+  CHECK(fuzzed_reader("croq").verdict_on(bytes).broken == "");
   try {
     const ProjectFile project = read(bytes);
     if (project.warnings.empty()) CHECK(difference(original, project.document) == "");
@@ -244,30 +241,11 @@ TEST_CASE("claims and overlaps cost little memory") {
   if (!is_sanitized) CHECK(peak_bytes() - before < 100'000'000);
 }
 
-TEST_CASE("inputs that once broke the project reader stay harmless") {
-  std::size_t replayed = 0;
-  for (const char* folder : {"corpus", "regressions"}) {
-    for (const char* target : {"croq", "value"}) {
-      const fs::path path = fs::path(CROQUIS_FUZZ_FOLDER) / folder / target;
-      if (!fs::is_directory(path)) continue;
-      for (const auto& entry : fs::directory_iterator(path)) {
-        INFO(entry.path());
-        const std::string bytes = read_file(entry.path().string());
-        REQUIRE_FALSE(bytes.empty());
-        const ValueType type = value_types()[static_cast<unsigned char>(bytes[0]) % value_types().size()];
-        CHECK((target == std::string("croq") ? broken_project(bytes) : broken_value(type, bytes.substr(1))) == "");
-        ++replayed;
-      }
-    }
-  }
-  CHECK(replayed >= 8);
-}
-
-TEST_CASE("damage is told in people's words, with the earlier versions that are there") {
+TEST_CASE("damage is described in people's words, with the earlier versions that are there") {
   const Document document = small_document();
   const std::string whole = saved(document);
   Random random(11);
-  int told = 0;
+  int named = 0;
   const auto check_words = [&](const Findings& findings) {
     for (const Finding& finding : findings) {
       INFO(finding.message);
@@ -275,7 +253,7 @@ TEST_CASE("damage is told in people's words, with the earlier versions that are 
         CHECK(finding.message.find(word) == std::string::npos);
       if (!finding.code.ends_with("PROJECT_DAMAGED")) continue;
       CHECK(finding.message.find("no earlier versions lie beside it") != std::string::npos);
-      ++told;
+      ++named;
     }
   };
   for (int i = 0; i < 400; ++i) {
@@ -290,7 +268,7 @@ TEST_CASE("damage is told in people's words, with the earlier versions that are 
       check_words(error.findings());
     }
   }
-  CHECK(told > 200);
+  CHECK(named > 200);
   const Scratch folder;
   write_bytes(folder / "a.croq", whole.substr(0, 5000));
   write_bytes(folder / "a.croq~1", whole);

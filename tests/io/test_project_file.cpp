@@ -22,6 +22,7 @@
 #include "io/scratch.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/sample_count.h"
+#include "support/trial_operation.h"
 
 using namespace croquis;
 using namespace croquis::test;
@@ -42,16 +43,11 @@ ProjectFile load(const fs::path& path) {
 std::vector<std::uint8_t> png(std::uint8_t content) { return {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', content}; }
 
 Document one_node(const std::string& name) {
-  Node node;
-  node.name = name;
-  node.source = std::make_shared<const PolyMesh>(cube());
-  return Document().with(node);
+  return Document().with(source_node(std::make_shared<const PolyMesh>(cube()), name));
 }
 
 Document big_document() {
-  Node node;
-  node.source = std::make_shared<const PolyMesh>(grid(200, 200));
-  return one_node("small").with(node);
+  return one_node("small").with(source_node(std::make_shared<const PolyMesh>(grid(200, 200))));
 }
 
 std::string name_in(const fs::path& path) { return load(path).document.nodes().at(0)->name; }
@@ -90,8 +86,6 @@ TEST_CASE("a text that a program wrote is saved as text") {
 
 // Every number here is exact in binary; the file was saved when the schema was made and stays as it is.
 TEST_CASE("a project of schema 1 still loads as it was saved") {
-  Node sketch;
-  sketch.name = "sketch";
   Drawing drawing;
   drawing.file = "bear.svg";
   drawing.object_data["head"] = {{"weight-distance", "2"}};
@@ -103,21 +97,18 @@ TEST_CASE("a project of schema 1 still loads as it was saved") {
   stroke.line = 12;
   stroke.samples = {{{1.5, -2}, 0.25, {0.5, -0.5}, 0}, {{3, 4}, 1, {0, 0}, 0.125}};
   drawing.strokes = {stroke};
-  sketch.source = std::make_shared<const Drawing>(drawing);
-  Node body;
-  body.name = "몸";
+  const Node sketch = source_node(std::make_shared<const Drawing>(drawing), "sketch");
   PolyMesh mesh = cube();
   mesh.channels.push_back({"group", Domain::Face, 1, std::vector<std::int32_t>{0, 0, 1, 1, -1, -1}, {"a", "b"}});
-  body.source = std::make_shared<const PolyMesh>(mesh);
+  Node body = source_node(std::make_shared<const PolyMesh>(mesh), "몸");
   body.visible = false;
   Node solid;
   solid.name = "solid";
   solid.operation = "inflate";
   solid.parameters = {{"preset", std::string("tablet")}, {"min-gap", 0.25}, {"swap", std::int64_t{-1}}, {"all", true}};
   solid.inputs["sketch"] = {1, "value"};
-  Node report;
-  report.name = "report";
-  report.source = std::make_shared<const Report>(Report().set("count", 3).set("list", Report(Report::Array{0.5, "x"})));
+  const Report figures = Report().set("count", 3).set("list", Report(Report::Array{0.5, "x"}));
+  const Node report = source_node(std::make_shared<const Report>(figures), "report");
   const Document expected = Document().with(sketch).with(body).with(solid).with(report).with({}).without(5);
   const ProjectFile loaded = load(fs::path(CROQUIS_FUZZ_FOLDER) / "corpus/croq/schema-1.croq");
   CHECK(difference(expected, loaded.document) == "");
@@ -224,11 +215,7 @@ TEST_CASE("a project in memory reads like one on disk") {
 TEST_CASE("nodes that share a value share it in the file and after loading") {
   const auto mesh = std::make_shared<const PolyMesh>(grid(100, 100));
   Document document;
-  for (int i = 0; i < 20; ++i) {
-    Node node;
-    node.source = mesh;
-    document = document.with(node);
-  }
+  for (int i = 0; i < 20; ++i) document = document.with(source_node(mesh));
   const Scratch folder;
   save(folder / "a.croq", document);
   CHECK(fs::file_size(folder / "a.croq") < 1'000'000);
@@ -241,9 +228,7 @@ TEST_CASE("a value larger than one chunk survives") {
   PolyMesh mesh;
   mesh.positions.assign(3'500'000, Vec3(1, 2, 3));  // 84 MB
   mesh.positions.back() = Vec3(4, 5, 6);
-  Node node;
-  node.source = std::make_shared<const PolyMesh>(std::move(mesh));
-  const Document document = Document().with(node);
+  const Document document = Document().with(source_node(std::make_shared<const PolyMesh>(std::move(mesh))));
   const Scratch folder;
   save(folder / "a.croq", document);
   CHECK(difference(document, load(folder / "a.croq").document) == "");
@@ -408,12 +393,7 @@ std::shared_ptr<const PictureFile> photo(std::size_t bytes) {
   return std::make_shared<const PictureFile>(PictureFile{std::string(bytes, 'p'), 6000, 4000, "/home/photo.jpg"});
 }
 
-Node drawing_node() {
-  Node node;
-  node.name = "drawing";
-  node.source = std::make_shared<const Drawing>();
-  return node;
-}
+Node drawing_node() { return source_node(std::make_shared<const Drawing>(), "drawing"); }
 
 }  // namespace
 

@@ -7,12 +7,8 @@
 #include "croquis/io/file.h"
 #include "croquis/io/json.h"
 #include "croquis/io/surface_places_file.h"
-#include "fuzz/places_property.h"
-#include "support/random.h"
-#include "support/sample_count.h"
 
 using namespace croquis;
-using namespace croquis::test;
 
 namespace {
 
@@ -52,19 +48,4 @@ TEST_CASE("each wrong place of a surface is named") {
   CHECK(refused_places("[]").size() == 1);
   CHECK(refused_places("{\"format\":\"croquis-abs/1\",\"places\":[]}").size() == 1);
   CHECK(refused_places("{\"format\":\"croquis-abs-places/1\",\"places\":{}}").size() == 1);
-}
-
-TEST_CASE("damaged places of a surface are refused or come back the same") {
-  Random random(9);
-  for (const auto& entry : std::filesystem::directory_iterator(place_seeds)) {
-    const std::string good = read_file(entry.path().string());
-    CHECK(broken_surface_places(good) == "");
-    for (int i = 0; i < sample_count(400, 20000); ++i) {
-      std::string bytes = good;
-      for (std::uint32_t k = 1 + random.below(3); k > 0; --k)
-        bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = "0123456789-+e.\"[]{},:fN"[random.below(23)];
-      INFO(bytes);
-      CHECK(broken_surface_places(bytes) == "");
-    }
-  }
 }

@@ -3,97 +3,41 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
-#include "croquis/geometry/polyline.h"
 #include "support/random.h"
 
 namespace croquis::test {
 namespace {
 
-constexpr std::size_t leaf_size = 4;
-
-double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
-  return (p - nearest_on_segment(p, a, b)).squaredNorm();
+std::vector<Index> faces_from(std::size_t first, std::size_t end) {
+  std::vector<Index> faces(end - std::min(first, end));
+  std::iota(faces.begin(), faces.end(), static_cast<Index>(first));
+  return faces;
 }
 
-double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a);
-  const auto is_inside = [&](const Vec3& from, const Vec3& to) { return (to - from).cross(p - from).dot(normal) >= 0; };
-  if (normal.squaredNorm() > 0 && is_inside(a, b) && is_inside(b, c) && is_inside(c, a)) {
-    const double height = (p - a).dot(normal.normalized());
-    return height * height;
+std::vector<std::array<Vec3, 3>> fans_of(const PolyMesh& mesh, std::span<const Index> faces) {
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (const Index f : faces) {
+    const auto corners = mesh.face(f);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      triangles.push_back({mesh.positions[corners[0]], mesh.positions[corners[i]], mesh.positions[corners[i + 1]]});
   }
-  return std::min({segment_distance2(p, a, b), segment_distance2(p, b, c), segment_distance2(p, c, a)});
-}
-
-double box_distance2(const Vec3& p, const Vec3& low, const Vec3& high) {
-  return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm();
+  return triangles;
 }
 
 }  // namespace
 
-SurfaceDistance::SurfaceDistance(const PolyMesh& mesh, std::size_t first_face) {
-  for (std::size_t f = first_face; f < mesh.face_count(); ++f) add_fan(mesh, f);
-  if (!triangles_.empty()) build(0, triangles_.size());
-}
+SurfaceDistance::SurfaceDistance(const PolyMesh& mesh, std::size_t first_face)
+    : SurfaceDistance(mesh, faces_from(first_face, mesh.face_count())) {}
 
-SurfaceDistance::SurfaceDistance(const PolyMesh& mesh, std::span<const Index> faces) {
-  for (const Index f : faces) add_fan(mesh, f);
-  if (!triangles_.empty()) build(0, triangles_.size());
-}
-
-void SurfaceDistance::add_fan(const PolyMesh& mesh, std::size_t face) {
-  const auto corners = mesh.face(face);
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    triangles_.push_back({mesh.positions[corners[0]], mesh.positions[corners[i]], mesh.positions[corners[i + 1]]});
-}
-
-void SurfaceDistance::build(std::size_t begin, std::size_t end) {
-  const std::size_t at = nodes_.size();
-  Node node{triangles_[begin].a, triangles_[begin].a, begin, end, 0};
-  for (std::size_t i = begin; i < end; ++i) {
-    for (const Vec3& p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
-      node.low = node.low.cwiseMin(p), node.high = node.high.cwiseMax(p);
-  }
-  nodes_.push_back(node);
-  if (end - begin <= leaf_size) return;
-  Eigen::Index axis = 0;
-  (node.high - node.low).maxCoeff(&axis);
-  const std::size_t middle = (begin + end) / 2;
-  const auto from = triangles_.begin();
-  const auto place = [axis](const Triangle& t) { return t.a[axis] + t.b[axis] + t.c[axis]; };
-  std::nth_element(from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(middle),
-                   from + static_cast<std::ptrdiff_t>(end),
-                   [&](const Triangle& a, const Triangle& b) { return place(a) < place(b); });
-  build(begin, middle);
-  nodes_[at].right = nodes_.size();
-  build(middle, end);
-}
+SurfaceDistance::SurfaceDistance(const PolyMesh& mesh, std::span<const Index> faces) : tree_(fans_of(mesh, faces)) {}
 
 double SurfaceDistance::operator()(const Vec3& point) const {
-  double least2 = std::numeric_limits<double>::infinity();
-  if (nodes_.empty()) return least2;
-  std::vector<std::size_t> pending = {0};
-  while (!pending.empty()) {
-    const Node& node = nodes_[pending.back()];
-    const std::size_t left = pending.back() + 1;
-    pending.pop_back();
-    if (box_distance2(point, node.low, node.high) >= least2) continue;
-    if (node.right == 0) {
-      for (std::size_t i = node.begin; i < node.end; ++i)
-        least2 = std::min(least2, triangle_distance2(point, triangles_[i].a, triangles_[i].b, triangles_[i].c));
-      continue;
-    }
-    const bool is_left_nearer = box_distance2(point, nodes_[left].low, nodes_[left].high) <
-                                box_distance2(point, nodes_[node.right].low, nodes_[node.right].high);
-    pending.push_back(is_left_nearer ? node.right : left);
-    pending.push_back(is_left_nearer ? left : node.right);
-  }
-  return std::sqrt(least2);
+  return tree_.nearest(point, std::numeric_limits<double>::infinity()).distance;
 }
 
 std::vector<Vec3> sample_faces(const PolyMesh& mesh, std::span<const Index> faces, std::size_t count,

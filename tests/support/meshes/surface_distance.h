@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "croquis/geometry/poly_mesh.h"
+#include "croquis/geometry/triangle_tree.h"
 
 namespace croquis::test {
 
-/// Distances to triangles, through a tree of boxes: n log n to build, about log n per point. Keeps copies.
+/// Distances to the triangles of faces.
 class SurfaceDistance {
  public:
-  explicit SurfaceDistance(const PolyMesh& mesh) : SurfaceDistance(mesh, 0) {}
-
-  /// To the faces from `first_face` on alone: patches are appended behind the faces given.
-  SurfaceDistance(const PolyMesh& mesh, std::size_t first_face);
+  /// To the faces from `first_face` on: patches are appended behind the faces given.
+  explicit SurfaceDistance(const PolyMesh& mesh, std::size_t first_face = 0);
 
   SurfaceDistance(const PolyMesh& mesh, std::span<const Index> faces);
 
@@ -23,20 +22,7 @@ class SurfaceDistance {
   double operator()(const Vec3& point) const;
 
  private:
-  struct Triangle {
-    Vec3 a, b, c;
-  };
-  struct Node {
-    Vec3 low, high;
-    std::size_t begin = 0, end = 0;  // of its triangles
-    std::size_t right = 0;           // its second child, the first one follows it; 0: a leaf
-  };
-
-  void add_fan(const PolyMesh& mesh, std::size_t face);
-  void build(std::size_t begin, std::size_t end);
-
-  std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  TriangleTree tree_;
 };
 
 /// About `count` places on faces, evenly by area, in the order of the faces.

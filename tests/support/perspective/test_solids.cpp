@@ -154,38 +154,4 @@ TEST_CASE("perspective solids: everything lies on the sheet, and no two vertices
   }
 }
 
-TEST_CASE("perspective solids: noise has the deviation that was asked for") {
-  SolidDrawingOptions options;
-  options.construction_lines = 0;
-  options.shuffled = false;
-  double of_vertices = 0, of_ends = 0;
-  int count = 0;
-  const PerspectiveSolid solid = l_block();
-  const Camera camera = camera_for(solid, View{});
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    options.seed = seed;
-    options.noise = 2;
-    options.end_jitter = 0;
-    std::map<std::string, Vec2> places;
-    for (const PerspectiveStroke& stroke : drawn(solid, camera, options).drawing.strokes) {
-      const auto [place, fresh] = places.emplace(stroke.from, stroke.start());
-      CHECK((fresh || place->second == stroke.start()));
-    }
-    for (const auto& [name, place] : places) {
-      const auto vertex = static_cast<std::size_t>(std::stoi(name.substr(1)));
-      of_vertices += (place - camera.project(solid.network.vertices[vertex])).squaredNorm() / 2;
-      ++count;
-    }
-    options.noise = 0;
-    options.end_jitter = 0.6;
-    const SolidDrawing jittered = drawn(solid, camera, options);
-    for (const PerspectiveStroke& stroke : jittered.drawing.strokes) {
-      const auto vertex = static_cast<std::size_t>(std::stoi(stroke.from.substr(1)));
-      of_ends += (stroke.start() - camera.project(solid.network.vertices[vertex])).squaredNorm() / 2;
-    }
-  }
-  CHECK(std::abs(std::sqrt(of_vertices / count) - 2) < 0.15);
-  CHECK(std::abs(std::sqrt(of_ends / (40 * 18)) - 0.6) < 0.04);
-}
-
 }  // namespace croquis::test

@@ -164,46 +164,6 @@ TEST_CASE("panels agree with the layers counted over a grid for the areas they c
   }
 }
 
-TEST_CASE("moving a sketch moves its truth along") {
-  const Sketch base = trefoil_sketch();
-  const Vec2 on_tube =
-      base.truth.outlines.front().points.front() + 0.01 * (Vec2(450, 350) - base.truth.outlines.front().points.front());
-  for (const Sketch& moved : {rotated(base, 0.7), scaled(base, 0.01), mirrored(base), translated(base, {9, -4})}) {
-    CHECK(moved.truth.strokes == base.truth.strokes);
-    for (const TrueContour& contour : moved.truth.outlines) CHECK(contour.points.size() == contour.height.size());
-    double area = 0;
-    for (const TrueContour& contour : moved.truth.outlines) {
-      for (std::size_t i = 0; i < contour.points.size(); ++i) {
-        area += cross(contour.points[i], contour.points[(i + 1) % contour.points.size()]) / 2;
-      }
-    }
-    CHECK(area > 0);
-  }
-  CHECK(layers_at(mirrored(base).truth, {-on_tube.x(), on_tube.y()}) == layers_at(base.truth, on_tube));
-}
-
-TEST_CASE("noise keeps every stroke, moves it a little and takes out one piece") {
-  const Sketch sketch = trefoil_sketch();
-  const double u = diagonal(sketch.drawing) / 1000;
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const Drawing drawing = noisy(sketch.drawing, seed);
-    REQUIRE(drawing.strokes.size() == sketch.drawing.strokes.size() + 1);
-    double square = 0;
-    std::size_t count = 0;
-    for (const Stroke& stroke : drawing.strokes) {
-      for (const StrokeSample& sample : stroke.samples) {
-        const double off = distance_to_drawn(sketch.drawing, stroke, sample.position);
-        CHECK(off < 12 * u);
-        square += off * off;
-        ++count;
-      }
-    }
-    const double spread = std::sqrt(square / static_cast<double>(count));
-    CHECK(spread > 0.4 * u);
-    CHECK(spread < 1.8 * u);
-  }
-}
-
 TEST_CASE("error sketches name strokes that exist") {
   const std::vector<ErrorSketch> sketches = error_sketches();
   CHECK(sketches.size() == 7);

@@ -73,25 +73,6 @@ TEST_CASE("every part of the picture is as long on the screen as it should be") 
   }
 }
 
-TEST_CASE("a pulled axis stays under the pointer") {
-  test::Random random(21);
-  for (int round = 0; round < 60; ++round) {
-    const TestCamera camera = oblique(round % 2 == 0);
-    const ViewFrame frame = camera.frame();
-    const int k = round % 3;
-    const Vec3 axis = Vec3::Unit(k);
-    const Vec3 from = random.between(0.1, 0.4) * axis;
-    const Vec3 by = random.between(-0.8, 0.8) * axis;
-    ManipulatorDrag drag(manipulator(ManipulatorKind::Move), static_cast<Handle>(static_cast<int>(Handle::X) + k),
-                         camera.pixel_of(from));
-    drag.to(frame, camera.pixel_of(from) + Vec2(13, -8));
-    const ManipulatorMotion& motion = drag.to(frame, camera.pixel_of(from + by));
-    CHECK((motion.by - by).norm() < 1e-9);
-    CHECK((motion.map * Vec3(1, 2, 3) - Vec3(1, 2, 3) - by).norm() < 1e-9);
-    CHECK((drag.moved().pivot - by).norm() < 1e-9);
-  }
-}
-
 TEST_CASE("planes and the free handle carry a place to where the pointer is") {
   const TestCamera camera = oblique();
   const ViewFrame frame = camera.frame();
