@@ -35,6 +35,34 @@ struct EdgeUse {
 /// Corners of a patch in its parameters.
 const std::array<Vec2, 4> patch_corners = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
 
+TopoDS_Edge oriented(const EdgeUse& use) {
+  return TopoDS::Edge(use.part->edge.Oriented(use.reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+}
+
+TopoDS_Vertex end_of(const EdgeUse& use) {
+  for (TopoDS_Iterator it(use.part->edge); it.More(); it.Next()) {
+    if (it.Value().Orientation() == (use.reversed ? TopAbs_FORWARD : TopAbs_REVERSED))
+      return TopoDS::Vertex(it.Value());
+  }
+  return {};
+}
+
+Vec3 point_of(const Brep& brep, const BrepShell& shell) {
+  return brep.vertices[brep.start_of(brep.loops[brep.faces[shell.faces[0]].loops[0]].first)].point;
+}
+
+/// Diagonal of the box around a shell's vertices.
+double extent_of(const Brep& brep, const BrepShell& shell) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Index f : shell.faces) {
+    for (const Index half : brep.around(brep.faces[f].loops[0])) {
+      low = low.cwiseMin(brep.vertices[brep.start_of(half)].point);
+      high = high.cwiseMax(brep.vertices[brep.start_of(half)].point);
+    }
+  }
+  return (high - low).norm();
+}
+
 class StepShapeBuilder {
  public:
   StepShapeBuilder(const Brep& brep, const std::vector<std::vector<BicubicFit>>& fits,
@@ -128,10 +156,6 @@ class StepShapeBuilder {
     return uses;
   }
 
-  static TopoDS_Edge oriented(const EdgeUse& use) {
-    return TopoDS::Edge(use.part->edge.Oriented(use.reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
-  }
-
   TopoDS_Wire make_wire(const std::vector<EdgeUse>& uses) {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
@@ -202,14 +226,6 @@ class StepShapeBuilder {
     return made;
   }
 
-  static TopoDS_Vertex end_of(const EdgeUse& use) {
-    for (TopoDS_Iterator it(use.part->edge); it.More(); it.Next()) {
-      if (it.Value().Orientation() == (use.reversed ? TopAbs_FORWARD : TopAbs_REVERSED))
-        return TopoDS::Vertex(it.Value());
-    }
-    return {};
-  }
-
   std::vector<TopoDS_Face> faces_of(Index f) {
     const BrepFace& face = brep_.faces[f];
     if (face.patches.empty()) return {planar_face(f)};
@@ -227,22 +243,6 @@ class StepShapeBuilder {
     made.Closed(shell.closed);
   }
 
-  Vec3 point_of(const BrepShell& shell) const {
-    return brep_.vertices[brep_.start_of(brep_.loops[brep_.faces[shell.faces[0]].loops[0]].first)].point;
-  }
-
-  /// Diagonal of the box around a shell's vertices.
-  double extent_of(const BrepShell& shell) const {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Index f : shell.faces) {
-      for (const Index half : brep_.around(brep_.faces[f].loops[0])) {
-        low = low.cwiseMin(brep_.vertices[brep_.start_of(half)].point);
-        high = high.cwiseMax(brep_.vertices[brep_.start_of(half)].point);
-      }
-    }
-    return (high - low).norm();
-  }
-
   /// The solids, each of an outer shell; then the cavities go to the smallest solid around them.
   void collect() {
     std::vector<TopoDS_Shape> roots;
@@ -257,7 +257,7 @@ class StepShapeBuilder {
       TopoDS_Solid solid;
       builder_.MakeSolid(solid);
       builder_.Add(solid, shells_[s]);
-      solids.emplace_back(extent_of(shell), roots.size());
+      solids.emplace_back(extent_of(brep_, shell), roots.size());
       roots.push_back(solid);
     }
     std::ranges::sort(solids);
@@ -265,7 +265,7 @@ class StepShapeBuilder {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       if (!brep_.shells[s].closed || !brep_.shells[s].is_void) continue;
       for (const auto& [extent, root] : solids) {
-        const BRepClass3d_SolidClassifier place(roots[root], to_point(point_of(brep_.shells[s])),
+        const BRepClass3d_SolidClassifier place(roots[root], to_point(point_of(brep_, brep_.shells[s])),
                                                 Precision::Confusion());
         if (place.State() != TopAbs_IN) continue;
         cavities.emplace_back(root, s);

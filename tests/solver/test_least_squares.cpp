@@ -352,7 +352,7 @@ TEST_CASE("equalities that contradict each other are named, and no other") {
   CHECK(largest(solution.x - vector({2, 3, 2})) <= 1e-6);
 }
 
-TEST_CASE("an objective blind to a direction is told from one that sees all") {
+TEST_CASE("an objective blind to a direction is known from one that sees all") {
   LeastSquaresProblem problem;
   problem.objective = sparse((Eigen::MatrixXd(2, 3) << 1, -1, 0, 0, 1, -1).finished());
   problem.target = vector({1, 1});
@@ -440,7 +440,7 @@ TEST_CASE("a body that is held a hundred billion times more softly than it bends
   }
 }
 
-TEST_CASE("what is left to go is told, and is nothing where the optimum is known") {
+TEST_CASE("what is left to go is reported, and is nothing where the optimum is known") {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     RandomShape shape;
     shape.unknowns = 3 + static_cast<int>(seed % 6);
