@@ -15,21 +15,11 @@
 namespace croquis {
 namespace {
 
-using hole_filling::FillAction;
 using hole_filling::Hole;
 using hole_filling::HoleAnalysis;
 using hole_filling::HoleChoice;
 using hole_filling::HoleOutcome;
 using remeshing::RemeshResult;
-
-HoleState state_of(FillAction action) {
-  switch (action) {
-    case FillAction::Leave: return HoleState::Open;
-    case FillAction::Fill: return HoleState::Filled;
-    case FillAction::Failed: return HoleState::Failed;
-  }
-  return HoleState::Open;
-}
 
 std::optional<double> known(double number) { return std::isnan(number) ? std::nullopt : std::optional(number); }
 
@@ -41,7 +31,7 @@ HoleRow row_of(const Hole& hole, const HoleOutcome& outcome) {
   row.perimeter = hole.perimeter;
   row.diameter = hole.diameter;
   row.area = hole.area;
-  row.state = state_of(outcome.action);
+  row.state = outcome.action;
   row.method = outcome.method;
   row.reason = outcome.reason;
   row.at = hole.centre;
@@ -61,7 +51,7 @@ std::vector<HoleRow> rows_of(std::span<const Hole> holes, std::span<const HoleOu
   return rows;
 }
 
-std::size_t count_of(std::span<const HoleRow> holes, HoleState state) {
+std::size_t count_of(std::span<const HoleRow> holes, FillAction state) {
   return static_cast<std::size_t>(std::ranges::count(holes, state, &HoleRow::state));
 }
 
@@ -76,8 +66,8 @@ OpenEdges edges_before(const PolyMesh& scan, const HoleAnalysis& analysis) {
 /// "7 holes: 5 to be filled, 2 left open."
 std::string hole_sentence(const FillResult& result) {
   if (result.holes.empty()) return "No holes.";
-  const std::size_t filled = count_of(result.holes, HoleState::Filled);
-  const std::size_t failed = count_of(result.holes, HoleState::Failed);
+  const std::size_t filled = count_of(result.holes, FillAction::Fill);
+  const std::size_t failed = count_of(result.holes, FillAction::Failed);
   return counted(result.holes.size(), "hole: ", "holes: ") + std::to_string(filled) +
          (result.listed ? " to be filled, " : " filled, ") + std::to_string(result.holes.size() - filled) +
          " left open" + (failed > 0 ? ", " + std::to_string(failed) + " of them since no patch is sound." : ".");
@@ -115,11 +105,6 @@ Report checks_of(const FillResult& result) {
 }
 
 }  // namespace
-
-const char* to_string(HoleState state) {
-  constexpr std::array<FillAction, 3> actions = {FillAction::Leave, FillAction::Fill, FillAction::Failed};
-  return to_string(actions[static_cast<std::size_t>(state)]);
-}
 
 FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_filling::FillResult& filled) {
   FillResult result;
@@ -178,7 +163,7 @@ Report to_report(const FillResult& result) {
                 : Report()),
       named("new_vertices", result.new_vertices), named("new_faces", result.new_faces),
       named("untouched_vertices", result.untouched_vertices), named("removed_faces", result.removed_faces),
-      named("closed_rims", result.listed ? std::size_t{0} : count_of(result.holes, HoleState::Filled))));
+      named("closed_rims", result.listed ? std::size_t{0} : count_of(result.holes, FillAction::Fill))));
   if (const auto& remeshed = result.remeshed)
     details.set("predicted_bytes", remeshed->predicted_bytes)
         .set("predicted_faces", remeshed->predicted_faces)

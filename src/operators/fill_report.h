@@ -17,7 +17,7 @@ FillResult result_of_filling(std::shared_ptr<const PolyMesh> scan, const hole_fi
 /// The same of a remeshed model, and what it was proven to be.
 FillResult result_of_remeshing(std::shared_ptr<const PolyMesh> scan, const remeshing::RemeshResult& made);
 
-/// The same before anything is filled: HoleState::Filled for the holes that would be.
+/// The same before anything is filled: FillAction::Fill for the holes that would be.
 FillResult result_of_listing(std::shared_ptr<const PolyMesh> scan, const hole_filling::HoleAnalysis& analysis,
                              const hole_filling::HoleChoice& choice);
 

@@ -9,40 +9,15 @@
 
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
-#include "croquis/operators/hole_wishes.h"
+#include "croquis/operators/hole_requests.h"
 
 namespace croquis {
 namespace {
 
-using hole_filling::Fairness;
 using hole_filling::FillOptions;
-using hole_filling::HoleRequest;
 using remeshing::RemeshOptions;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-/// What fairness_names stand for.
-constexpr std::array<Fairness, 3> fillings = {Fairness::Implicit, Fairness::Tangent, Fairness::Flat};
-
-template <std::size_t size>
-std::size_t place_of(const std::array<std::string_view, size>& names, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-}
-
-HoleRequest request_of(const HoleWish& wish) {
-  HoleRequest request;
-  request.holes = wish.holes;
-  std::sort(request.holes.begin(), request.holes.end());
-  request.holes.erase(std::unique(request.holes.begin(), request.holes.end()), request.holes.end());
-  request.bridge = wish.bridge;
-  request.fill = wish.fill;
-  if (!wish.fairness.empty()) request.fairness = fillings[place_of(fairness_names, wish.fairness)];
-  if (!wish.kernel.empty()) request.kernel = static_cast<implicit::Kernel>(place_of(kernel_names, wish.kernel));
-  request.bulge = wish.bulge;
-  if (wish.trim_rim) request.trim_rim = static_cast<int>(*wish.trim_rim);
-  request.through = wish.through;
-  return request;
-}
 
 std::optional<std::size_t> count_in(std::string_view word) {
   std::size_t count = 0;
@@ -90,9 +65,7 @@ void list_hole_parameters(FillSettings& settings, ParameterList& list) {
                           "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. "
                           "Words: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through "
                           "X Y Z."),
-           [&](const ParameterValue& given) {
-             for (const HoleWish& wish : wishes_in(given)) fill.requests.push_back(request_of(wish));
-           })
+           [&](const ParameterValue& given) { fill.requests = requests_in(given); })
       .at(ParameterPlace::Nowhere);
 }
 
@@ -103,7 +76,7 @@ void list_patch_parameters(FillSettings& settings, ParameterList& list) {
                  "vertices and has the least area; auto is flat where an open surface ends, and rbf elsewhere.",
                  [&](std::size_t chosen) {
                    fill.flat_caps = chosen == 0;
-                   fill.fairness = fillings[chosen == 0 ? 0 : chosen - 1];
+                   fill.fairness = fairnesses[chosen == 0 ? 0 : chosen - 1];
                  })
       .titled("Patches", {"best for each hole", "continue the surface", "smooth", "flat"});
   list.choice("kernel", fill.implicit.kernel, words(kernel_names),

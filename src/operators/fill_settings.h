@@ -14,6 +14,8 @@ namespace croquis {
 /// The words for Selection, Fairness and implicit::Kernel, the default first.
 inline constexpr std::array<std::string_view, 4> selection_names = {"inner", "all", "all-but-largest", "none"};
 inline constexpr std::array<std::string_view, 3> fairness_names = {"rbf", "smooth", "flat"};
+inline constexpr std::array fairnesses = {hole_filling::Fairness::Implicit, hole_filling::Fairness::Tangent,
+                                          hole_filling::Fairness::Flat};
 inline constexpr std::array<std::string_view, 4> kernel_names = {"hermite", "triharmonic", "biharmonic", "thin-plate"};
 
 /// What people set of `fill`.
@@ -28,7 +30,7 @@ void list_fill_parameters(FillSettings& settings, ParameterList& list);
 
 /// The settings with what follows from the mode.
 /// @param parameters complete (see croquis::complete)
-/// @throws Error (E_PARAMETER) for a list of ids, wishes for single holes or a range of points that can't be read
+/// @throws Error (E_PARAMETER) for a list of ids, requests for single holes or a range of points that can't be read
 FillSettings read_fill_settings(const ParameterValues& parameters);
 
 /// At most one W_PARAMETER_UNUSED: parameters that are given and that the mode doesn't look at.

@@ -33,7 +33,7 @@ inline PolyMesh ball_with_holes(std::size_t count = 6) {
 
 inline app::HoleInteraction& holes(StudioFixture& hand) { return hand.holes(); }
 
-inline std::size_t count(StudioFixture& hand, HoleState state) {
+inline std::size_t count(StudioFixture& hand, FillAction state) {
   const auto& rows = holes(hand).rows();
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [&](const HoleRow& row) { return row.state == state; }));

@@ -278,12 +278,12 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
   hand.settle();
   CHECK(mode() == "holes");
   REQUIRE(holes(hand).rows().size() == 6);
-  CHECK(count(hand, HoleState::Filled) == 6);
+  CHECK(count(hand, FillAction::Fill) == 6);
   const std::size_t faces = hand.studio().objects().front().mesh->face_count();
   holes(hand).select({1});
   hand.act("reopen-selected");
   hand.settle();
-  CHECK(holes(hand).row(1)->state == HoleState::Open);
+  CHECK(holes(hand).row(1)->state == FillAction::Leave);
   CHECK(hand.studio().objects().front().mesh->face_count() < faces);
 
   choose(hand, chain[2]);

@@ -89,8 +89,8 @@ TEST_CASE("filling up to a size fills the open holes alone, opens none, and says
   CHECK(button.text().startsWith("Fill 2 up to"));
   button.click();
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 4);
-  CHECK(holes(hand).row(holes_by_width[5])->state == HoleState::Filled);  // wider than that, and filled before
+  CHECK(count(hand, FillAction::Fill) == 4);
+  CHECK(holes(hand).row(holes_by_width[5])->state == FillAction::Fill);  // wider than that, and filled before
   CHECK(!button.isEnabled());
   CHECK(button.toolTip() == "No hole that small is open");
   slide_to(hand, width_of(hand, holes_by_width[3]));
@@ -144,16 +144,16 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   holes(hand).select(ends);
   hand.act("fill-selected");
   hand.settle();
-  REQUIRE(count(hand, HoleState::Filled) == 4);
+  REQUIRE(count(hand, FillAction::Fill) == 4);
   holes(hand).set_way({.bulge = 0.3}, false);
   hand.settle();
   SECTION("reopen all") {
     hand.act("reopen-all");
     hand.settle();
-    CHECK(count(hand, HoleState::Filled) == 0);
+    CHECK(count(hand, FillAction::Fill) == 0);
     hand.act("undo");
     hand.settle();
-    CHECK(count(hand, HoleState::Filled) == 4);
+    CHECK(count(hand, FillAction::Fill) == 4);
   }
   SECTION("filling the inner ones opens no border") {
     holes(hand).select({facing[0]});
@@ -161,7 +161,7 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
     hand.settle();
     hand.act("fill-inner");
     hand.settle();
-    CHECK(count(hand, HoleState::Filled) == 4);
+    CHECK(count(hand, FillAction::Fill) == 4);
   }
 }
 
@@ -176,12 +176,12 @@ TEST_CASE("where a bridge can't be made its rims are filled one by one", "[hole-
   holes(hand).select({0, 1});
   hand.act("bridge-holes");
   hand.settle();
-  REQUIRE(count(hand, HoleState::Failed) == 2);
+  REQUIRE(count(hand, FillAction::Failed) == 2);
   CHECK(label(hand, "help-line").startsWith("No method gave a valid patch here"));
   CHECK(is_enabled(hand, "fill-selected"));
   hand.act("fill-selected");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
   CHECK(!is_enabled(hand, "fill-selected"));
 }
 

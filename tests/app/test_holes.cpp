@@ -35,7 +35,7 @@ TEST_CASE("the tool lists a scan's holes in one step and changes nothing of it",
   open_scan(hand, ball_with_holes());
   CHECK(last_step(hand) == "Find holes of scan");
   CHECK(holes(hand).rows().size() == 6);
-  CHECK(count(hand, HoleState::Open) == 6);
+  CHECK(count(hand, FillAction::Leave) == 6);
   CHECK(filled_mesh(hand).face_count() == hand.studio().active()->cage_mesh->face_count());
   auto* table = hand.window().findChild<app::HoleTable*>("holes");
   CHECK(table->rowCount() == 6);
@@ -55,27 +55,27 @@ TEST_CASE("a selected hole is previewed outside of the document, filled, and ope
   holes(hand).select({2});
   hand.settle();
   CHECK(holes(hand).preview().item() != nullptr);
-  CHECK(count(hand, HoleState::Open) == 6);
+  CHECK(count(hand, FillAction::Leave) == 6);
   CHECK(content_hash(hand.studio().session().document()) == before);
   hand.act("fill-selected");
   hand.settle();
   CHECK(last_step(hand) == "Fill hole 2");
-  CHECK(count(hand, HoleState::Filled) == 1);
+  CHECK(count(hand, FillAction::Fill) == 1);
   CHECK(holes(hand).preview().item() == nullptr);
   CHECK(rims_of(filled_mesh(hand)) == 5);
   holes(hand).select({4});
   hand.act("fill-selected");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
   holes(hand).select({2});
   hand.act("reopen-selected");
   hand.settle();
   CHECK(last_step(hand) == "Reopen hole 2");
-  CHECK(holes(hand).row(2)->state == HoleState::Open);
-  CHECK(holes(hand).row(4)->state == HoleState::Filled);
+  CHECK(holes(hand).row(2)->state == FillAction::Leave);
+  CHECK(holes(hand).row(4)->state == FillAction::Fill);
   hand.act("undo");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
 }
 
 TEST_CASE("all inner, all but the largest, up to a size: each one step, checked when it is done", "[holes]") {
@@ -84,17 +84,17 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
   hand.act("fill-all-but-largest");
   hand.settle();
   CHECK(last_step(hand) == "Fill all but the largest hole");
-  CHECK(count(hand, HoleState::Filled) == 5);
+  CHECK(count(hand, FillAction::Fill) == 5);
   hand.act("fill-inner");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 6);
+  CHECK(count(hand, FillAction::Fill) == 6);
   CHECK(hand.wait_for([&] { return label(hand, "hole-check").startsWith("closed"); }));
   CHECK(label(hand, "hole-check") == "closed, manifold, 0 new intersections, outside unchanged");
   CHECK(label(hand, "hole-summary") == "6 holes: 6 filled");
   hand.act("undo");
   hand.act("undo");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 0);
+  CHECK(count(hand, FillAction::Fill) == 0);
 
   auto& panel = *hand.window().findChild<app::HolePanel*>("hole-panel");
   const HoleHistogram sizes = panel.sizes().histogram();
@@ -103,10 +103,10 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
   emit panel.sizes().moved(middle);
   hand.settle();
   CHECK(holes(hand).selected().size() == sizes.count_up_to(middle));
-  CHECK(count(hand, HoleState::Filled) == 0);
+  CHECK(count(hand, FillAction::Fill) == 0);
   hand.window().findChild<QPushButton*>("fill-sizes")->click();
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == sizes.count_up_to(middle));
+  CHECK(count(hand, FillAction::Fill) == sizes.count_up_to(middle));
 }
 
 TEST_CASE("filling up to a size and ways of patches are recorded as what was done, and replayed so",
@@ -218,10 +218,10 @@ TEST_CASE("an open hole's way shows in its preview and leaves it open", "[hole-w
   holes(hand).set_way({.bulge = 0.5}, false);
   hand.settle();
   CHECK(holes(hand).preview().item() != before);
-  CHECK(count(hand, HoleState::Open) == 6);
+  CHECK(count(hand, FillAction::Leave) == 6);
   hand.act("fill-selected");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 1);
+  CHECK(count(hand, FillAction::Fill) == 1);
   CHECK(holes(hand).way().bulge == Approx(0.5));
 }
 
@@ -254,7 +254,7 @@ TEST_CASE("holes are picked in the views, by list and box; a double click fills"
   }
   hand.settle();
   CHECK(last_step(hand) == "Fill hole " + std::to_string(hole));
-  CHECK(holes(hand).row(hole)->state == HoleState::Filled);
+  CHECK(holes(hand).row(hole)->state == FillAction::Fill);
 }
 
 TEST_CASE("a place of a patch is pulled, live and in one step, and its handles are cleared", "[hole-ways]") {
@@ -315,8 +315,8 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   REQUIRE(third.window().open(project));
   third.act("holes");
   third.settle();
-  CHECK(count(third, HoleState::Open) == 1);
-  CHECK(count(third, HoleState::Filled) == 5);
+  CHECK(count(third, FillAction::Leave) == 1);
+  CHECK(count(third, FillAction::Fill) == 5);
 }
 
 TEST_CASE("a finding about a hole selects and frames it", "[hole-ways]") {
@@ -371,8 +371,8 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   longest = std::max(longest, longest_turn_ms(hand));
   WARN("the window's thread was busy for " << longest << " ms at a time at most");
   CHECK(longest < 1000);  // machines differ: what is to be seen is that no patch is made on it
-  CHECK(count(hand, HoleState::Open) == 1);
-  CHECK(count(hand, HoleState::Failed) == 0);
+  CHECK(count(hand, FillAction::Leave) == 1);
+  CHECK(count(hand, FillAction::Failed) == 0);
   hand.act("fill-inner");
   hand.settle();
   CHECK(hand.wait_for([&] { return label(hand, "hole-check").contains("outside unchanged"); }));
@@ -381,7 +381,7 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   CHECK(hand.viewport().findChild<QWidget*>("confidence-legend") != nullptr);
   for (int step = 0; step < 3; ++step) hand.act("undo");
   hand.settle();
-  CHECK(count(hand, HoleState::Open) == 12);
+  CHECK(count(hand, FillAction::Leave) == 12);
 }
 
 TEST_CASE("a hole and its island are previewed, filled and opened together, whichever is picked", "[hole-ways]") {
@@ -394,11 +394,11 @@ TEST_CASE("a hole and its island are previewed, filled and opened together, whic
     CHECK(holes(hand).preview().item() != nullptr);
     hand.act("fill-selected");
     hand.settle();
-    CHECK(count(hand, HoleState::Filled) == 2);
+    CHECK(count(hand, FillAction::Fill) == 2);
     CHECK(rims_of(filled_mesh(hand)) == 0);
     hand.act("reopen-selected");
     hand.settle();
-    CHECK(count(hand, HoleState::Open) == 2);
+    CHECK(count(hand, FillAction::Leave) == 2);
   }
 }
 
@@ -417,18 +417,18 @@ TEST_CASE("two selected rims are bridged by one band; trimming takes faces along
   holes(hand).select(facing);
   hand.act("bridge-holes");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
   CHECK(rims_of(filled_mesh(hand)) == 2);
   const std::size_t bridged = filled_mesh(hand).face_count();
   hand.act("undo");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 0);
+  CHECK(count(hand, FillAction::Fill) == 0);
   hand.act("redo");
   hand.settle();
   CHECK(filled_mesh(hand).face_count() == bridged);
   holes(hand).set_way({.trim_rim = 1});
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
   CHECK(rims_of(filled_mesh(hand)) == 2);
   CHECK(filled_mesh(hand).face_count() != bridged);
 }

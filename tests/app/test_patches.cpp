@@ -225,12 +225,12 @@ TEST_CASE("a cancelled making anew changes nothing, and the window works on", "[
   CHECK(content_hash(hand.studio().session().document()) == document);
   CHECK(hand.studio().session().undo_labels() == steps);
   CHECK(filled_mesh(hand).face_count() == faces);
-  CHECK(holes(hand).row(1)->state == HoleState::Filled);
+  CHECK(holes(hand).row(1)->state == FillAction::Fill);
   CHECK(!cancel->isVisible());
   holes(hand).select({2});
   hand.act("fill-selected");
   hand.settle();
-  CHECK(count(hand, HoleState::Filled) == 2);
+  CHECK(count(hand, FillAction::Fill) == 2);
   app::export_solid(hand.studio(), hand.folder() + "/filled.ply");
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("move and rotate leave the holes as they are, and holes come back with
     hand.settle();
     CHECK(holes(hand).active());
     CHECK(dock->isVisible());
-    CHECK(count(hand, HoleState::Filled) == 1);
+    CHECK(count(hand, FillAction::Fill) == 1);
     CHECK(hand.mesh().tool().handles() == MeshHandles::Select);
   }
   CHECK(content_hash(hand.studio().session().document()) == document);

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -47,6 +48,14 @@ struct Pipe {
   _exit(127);
 }
 
+/// Processor time of a program that runs; 0 where it can't be known.
+double cpu_seconds_of(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /// Reads what is there; false at the end of the stream.
 bool drain(int descriptor, std::string& text) {
   std::array<char, 65536> buffer;
@@ -56,10 +65,12 @@ bool drain(int descriptor, std::string& text) {
   return true;
 }
 
-void collect(pid_t child, int out, int err, const ProcessOptions& options, ProcessResult& result) {
+/// @return the processor time until it was interrupted; 0 if it wasn't
+double collect(pid_t child, int out, int err, const ProcessOptions& options, ProcessResult& result) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  bool interrupted = options.interrupt_after_ms == 0;
+  bool interrupted = options.interrupt_after_ms == 0 && options.interrupt_at.empty();
+  double cpu_seconds = 0;
   std::array<pollfd, 2> streams = {{{out, POLLIN, 0}, {err, POLLIN, 0}}};
   std::array<std::string*, 2> texts = {&result.out, &result.err};
   int open = 2;
@@ -73,12 +84,16 @@ void collect(pid_t child, int out, int err, const ProcessOptions& options, Proce
       }
     }
     const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began).count();
-    if (!interrupted && elapsed >= slowness * options.interrupt_after_ms) {
+    const bool is_time = options.interrupt_at.empty() ? elapsed >= slowness * options.interrupt_after_ms
+                                                      : result.err.find(options.interrupt_at) != std::string::npos;
+    if (!interrupted && is_time) {
+      cpu_seconds = cpu_seconds_of(child);
       kill(child, SIGINT);
       interrupted = true;
     }
     if (elapsed > kill_after_ms) kill(child, SIGKILL);
   }
+  return cpu_seconds;
 }
 
 }  // namespace
@@ -102,7 +117,7 @@ ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOp
     close(descriptor);
   });
   ProcessResult result;
-  collect(child, pipes[1].ends[0], pipes[2].ends[0], options, result);
+  const double interrupted_at = collect(child, pipes[1].ends[0], pipes[2].ends[0], options, result);
   feeder.join();
   close(pipes[1].ends[0]);
   close(pipes[2].ends[0]);
@@ -115,6 +130,7 @@ ProcessResult run_cli(const std::vector<std::string>& arguments, const ProcessOp
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  if (interrupted_at > 0) result.cpu_seconds_interrupted = result.cpu_seconds - interrupted_at;
   return result;
 }
 

@@ -13,7 +13,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/hole_filling/hole_choice.h"
 #include "croquis/operators/fill_result.h"
-#include "croquis/operators/hole_wishes.h"
+#include "croquis/operators/hole_requests.h"
 #include "operators/operations.h"
 #include "support/check_operation.h"
 #include "support/meshes/mesh_shapes.h"
@@ -80,7 +80,7 @@ TEST_CASE("filling refuses unusable scans with the same findings every time") {
   CHECK_THROWS_AS(fill(scan(), {{"only", std::string("99")}}), Error);
 }
 
-TEST_CASE("a wish that changes is the same with what an earlier run left in the memo") {
+TEST_CASE("a request that changes is the same with what an earlier run left in the memo") {
   Memo memo;
   const auto fill_with_memo = [&](const std::string& holes) {
     Progress progress;
@@ -279,7 +279,7 @@ TEST_CASE("the selection that hosts ask for names the holes that are filled") {
       const double greatest = limit > 0 ? limit : 1e9;
       const auto named = named_holes(sizes, parse_selection(select), greatest);
       for (const HoleRow& row : result.details.get<FillResult>()->holes) {
-        CHECK((row.state == HoleState::Filled) == (named[row.id] == hole_filling::Naming::Named));
+        CHECK((row.state == FillAction::Fill) == (named[row.id] == hole_filling::Naming::Named));
       }
     }
   }
@@ -297,7 +297,7 @@ TEST_CASE("programs read of a filling what its mesh shows") {
   CHECK_FALSE((found.listed || found.remeshed));
   for (const HoleRow& hole : found.holes) {
     const bool filled = hole.id != 1;
-    CHECK((hole.state == HoleState::Filled) == filled);
+    CHECK((hole.state == FillAction::Fill) == filled);
     CHECK((hole.patch && hole.angle && hole.confidence) == filled);
     CHECK(hole.angle.value_or(1) < std::numbers::pi);
     CHECK(hole.normal.dot(hole.at.normalized()) > 0.9);  // cut out of a sphere around the origin

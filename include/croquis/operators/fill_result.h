@@ -9,16 +9,12 @@
 
 #include "croquis/base/described.h"
 #include "croquis/geometry/poly_mesh.h"
-#include "croquis/hole_filling/hole_analysis.h"
 #include "croquis/remeshing/remesh.h"
 
 /// What the operation `fill` found and did; its report is made of this.
 namespace croquis {
 
-/// Of a list that was made without filling anything, Filled stands for "would be filled".
-enum class HoleState { Open, Filled, Failed };
-/// "leave", "fill", "failed".
-const char* to_string(HoleState state);
+using hole_filling::FillAction;
 
 /// One hole of the scan. Lengths in model units, angles in radians.
 struct HoleRow {
@@ -27,8 +23,8 @@ struct HoleRow {
   std::size_t edges = 0;  ///< of its rim
   double perimeter = 0;
   double diameter = 0;
-  double area = 0;  ///< of its minimal triangulation
-  HoleState state = HoleState::Open;
+  double area = 0;                       ///< of its minimal triangulation
+  FillAction state = FillAction::Leave;  ///< Fill in a list that was made without filling: it would be filled
   std::string method;                    ///< of the patch taken, empty without one
   std::string reason;                    ///< why it was left, failed, or not filled by the first method
   std::optional<double> angle;           ///< greatest one between the faces on the two sides of a rim edge

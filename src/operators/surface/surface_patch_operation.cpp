@@ -13,7 +13,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/hole_filling/hole_analysis.h"
-#include "croquis/operators/hole_wishes.h"
+#include "croquis/operators/hole_requests.h"
 #include "operators/operations.h"
 
 namespace croquis {

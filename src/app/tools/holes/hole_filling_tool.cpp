@@ -31,7 +31,7 @@ namespace {
 std::map<std::int32_t, std::vector<Index>> holes_of_patches(const WorkObject& object) {
   std::map<std::int32_t, std::vector<Index>> holes;
   for (const HoleRow& row : hole_rows(object.result.get())) {
-    if (row.patch && row.state == HoleState::Filled) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
+    if (row.patch && row.state == FillAction::Fill) holes[static_cast<std::int32_t>(*row.patch)].push_back(row.id);
   }
   return holes;
 }
@@ -42,13 +42,13 @@ constexpr int wanted_width = 480;  // of the panel, pixels
 std::size_t count_open_holes(const WorkObject& object) {
   const auto rows = hole_rows(object.result.get());
   return static_cast<std::size_t>(
-      std::ranges::count_if(rows, [](const HoleRow& row) { return row.state != HoleState::Filled; }));
+      std::ranges::count_if(rows, [](const HoleRow& row) { return row.state != FillAction::Fill; }));
 }
 
 std::size_t count_patches(const WorkObject& object) {
   std::set<Index> numbers;
   for (const HoleRow& row : hole_rows(object.result.get())) {
-    if (row.patch && row.state == HoleState::Filled) numbers.insert(*row.patch);
+    if (row.patch && row.state == FillAction::Fill) numbers.insert(*row.patch);
   }
   return numbers.size();
 }
@@ -291,7 +291,7 @@ void HoleFillingTool::refresh() {
            });
   };
   host().action("fill-selected")->setEnabled(working && holes_.can_fill_selected());
-  host().action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != HoleState::Open; }));
+  host().action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != FillAction::Leave; }));
   for (const auto& [name, select] : {std::pair{"fill-inner", "inner"},
                                      {"fill-all-but-largest", "all-but-largest"},
                                      {"fill-all", "all"},

@@ -140,7 +140,7 @@ const Node* HoleInteraction::node() const { return filling_node(studio_); }
 std::vector<Index> HoleInteraction::filled() const {
   std::vector<Index> holes;
   for (const HoleRow& row : rows_) {
-    if (row.state == HoleState::Filled) holes.push_back(row.id);
+    if (row.state == FillAction::Fill) holes.push_back(row.id);
   }
   return holes;
 }
@@ -149,7 +149,7 @@ std::vector<Index> HoleInteraction::open_of(const std::vector<Index>& holes) con
   std::vector<Index> open;
   for (const Index hole : with_islands(rows_, holes)) {
     const HoleRow* found = row(hole);
-    if (found != nullptr && found->state == HoleState::Open) open.push_back(hole);
+    if (found != nullptr && found->state == FillAction::Leave) open.push_back(hole);
   }
   return open;
 }
@@ -206,7 +206,7 @@ void HoleInteraction::show_handles() {
       const HolePlan plan(studio_, *operation);
       for (const Index hole : tool_.selected()) {
         const HoleRow* found = row(hole);
-        for (const Vec3& place : plan.wish(hole).through) {
+        for (const Vec3& place : plan.request(hole).through) {
           handles.push_back({hole, place, found == nullptr ? Vec3(Vec3::UnitZ()) : found->normal});
         }
       }
@@ -250,7 +250,7 @@ void HoleInteraction::select_by_size(double diameter) { select(open_up_to(diamet
 
 std::vector<Index> HoleInteraction::open_up_to(double diameter) const {
   std::vector<Index> holes = named_rows(rows_, hole_filling::Selection::Inner, diameter);
-  std::erase_if(holes, [&](Index hole) { return row(hole)->state != HoleState::Open; });
+  std::erase_if(holes, [&](Index hole) { return row(hole)->state != FillAction::Leave; });
   return holes;
 }
 
@@ -302,7 +302,8 @@ void HoleInteraction::follow_pull() {
     if (!pulled_) pulled_ = HolePlan(studio_, *operation);
     HolePlan plan = *pulled_;
     const std::vector<Index> hole{pull->hole};
-    plan.change(hole, filled(), [&](HoleWish& wish) { wish.through = moved_through(wish.through, pull->as_step()); });
+    plan.change(hole, filled(),
+                [&](HoleRequest& request) { request.through = moved_through(request.through, pull->as_step()); });
     edit("Shape hole " + std::to_string(pull->hole), plan.values(), true);
   });
 }

@@ -146,7 +146,7 @@ class HoleInteraction : public QObject {
   void edit(const std::string& label, const ParameterValues& values, bool dragging);
   void change_plan(const std::string& label, const std::function<void(HolePlan&)>& change,
                    const ParameterValues& besides = {});
-  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes without a wish of their own
+  Way way_of(std::optional<Index> hole) const;  ///< without one, of holes without a request of their own
   bool is_made_so(const recorded::HoleWay& step) const;
   void change_way(const recorded::HoleWay& step, bool dragging);
   void finish(Verdict verdict);

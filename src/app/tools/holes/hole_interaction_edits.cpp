@@ -30,11 +30,11 @@ std::string words_for(const recorded::HoleWay& way) {
   return what + " of " + words_for(way.holes);
 }
 
-void apply(const recorded::HoleWay& way, HoleWish& wish) {
-  if (way.fairness) wish.fairness = *way.fairness == "auto" ? std::string() : *way.fairness;
-  if (way.kernel) wish.kernel = *way.kernel;
-  if (way.bulge) wish.bulge = *way.bulge;
-  if (way.trim_rim) wish.trim_rim = *way.trim_rim;
+void apply(const recorded::HoleWay& way, HoleRequest& request) {
+  if (way.fairness) request.fairness = fairness_named(*way.fairness);  // "auto": as for all
+  if (way.kernel) request.kernel = kernel_named(*way.kernel);
+  if (way.bulge) request.bulge = *way.bulge;
+  if (way.trim_rim) request.trim_rim = static_cast<int>(*way.trim_rim);
 }
 
 /// Its values as parameters of all holes.
@@ -97,7 +97,7 @@ std::vector<Index> HoleInteraction::failed_of(const std::vector<Index>& holes) c
   std::vector<Index> failed;
   for (const Index hole : holes) {
     const HoleRow* found = row(hole);
-    if (found != nullptr && found->state == HoleState::Failed) failed.push_back(hole);
+    if (found != nullptr && found->state == FillAction::Failed) failed.push_back(hole);
   }
   return failed;
 }
@@ -126,7 +126,7 @@ void HoleInteraction::fill_all(const std::string& select) {
 std::vector<Index> HoleInteraction::open_after(hole_filling::Selection select, std::span<const Index> named) const {
   std::vector<Index> open;
   for (const HoleRow& row : rows_) {
-    const bool stays_filled = select == hole_filling::Selection::Inner && row.state == HoleState::Filled;
+    const bool stays_filled = select == hole_filling::Selection::Inner && row.state == FillAction::Fill;
     if (!stays_filled && !std::ranges::binary_search(named, row.id)) open.push_back(row.id);
   }
   return open;
@@ -138,7 +138,7 @@ bool HoleInteraction::can_fill_all(const std::string& select) const {
   const hole_filling::Selection selection = parse_selection(select);
   const std::vector<Index> open = open_after(selection, named_rows(rows_, selection));
   return std::ranges::any_of(rows_, [&](const HoleRow& row) {
-    return std::ranges::binary_search(open, row.id) != (row.state == HoleState::Open);
+    return std::ranges::binary_search(open, row.id) != (row.state == FillAction::Leave);
   });
 }
 
@@ -181,8 +181,9 @@ void HoleInteraction::bridge_selected() {
 void HoleInteraction::clear_handles() {
   const std::vector<Index> holes = tool_.selected();
   const std::vector<Index> now_filled = filled();
-  change_plan("Clear handles of " + words_for(holes),
-              [&](HolePlan& plan) { plan.change(holes, now_filled, [](HoleWish& wish) { wish.through.clear(); }); });
+  change_plan("Clear handles of " + words_for(holes), [&](HolePlan& plan) {
+    plan.change(holes, now_filled, [](HoleRequest& request) { request.through.clear(); });
+  });
 }
 
 void HoleInteraction::apply(const recorded::HoleChoice& step) {
@@ -207,7 +208,7 @@ void HoleInteraction::apply(const recorded::HolePoint& step) {
   HolePlan plan = pulled_ ? *pulled_ : HolePlan(studio_, *operation);
   pulled_.reset();
   const std::vector<Index> hole{step.hole};
-  plan.change(hole, filled(), [&](HoleWish& wish) { wish.through = moved_through(wish.through, step); });
+  plan.change(hole, filled(), [&](HoleRequest& request) { request.through = moved_through(request.through, step); });
   edit("Shape hole " + std::to_string(step.hole), plan.values(), false);
 }
 
@@ -235,11 +236,11 @@ HoleInteraction::Way HoleInteraction::way_of(std::optional<Index> hole) const {
   }
   if (!hole) return way;
   try {
-    const HoleWish wish = HolePlan(studio_, *operation).wish(*hole);
-    if (!wish.fairness.empty()) way.fairness = wish.fairness;
-    if (!wish.kernel.empty()) way.kernel = wish.kernel;
-    way.bulge = wish.bulge.value_or(way.bulge);
-    way.trim_rim = static_cast<int>(wish.trim_rim.value_or(way.trim_rim));
+    const HoleRequest request = HolePlan(studio_, *operation).request(*hole);
+    if (request.fairness) way.fairness = name_of(*request.fairness);
+    if (request.kernel) way.kernel = name_of(*request.kernel);
+    way.bulge = request.bulge.value_or(way.bulge);
+    way.trim_rim = request.trim_rim.value_or(way.trim_rim);
   } catch (const Error&) {
     return way;  // the operation reports the error
   }
@@ -264,7 +265,7 @@ void HoleInteraction::change_way(const recorded::HoleWay& step, bool dragging) {
     ParameterValues values = values_of(step);
     if (!step.holes.empty()) {
       HolePlan plan(studio_, *operation);
-      plan.change(step.holes, filled(), [&](HoleWish& wish) { app::apply(step, wish); });
+      plan.change(step.holes, filled(), [&](HoleRequest& request) { app::apply(step, request); });
       values = plan.values();
     }
     edit(words_for(step), values, dragging);

@@ -42,8 +42,8 @@ bool contains(const std::vector<Index>& holes, Index hole) {
 }  // namespace
 
 QColor hole_color(const HoleRow& hole) {
-  if (hole.state == HoleState::Filled) return {0, 140, 105};
-  if (hole.state == HoleState::Failed) return colors::error;
+  if (hole.state == FillAction::Fill) return {0, 140, 105};
+  if (hole.state == FillAction::Failed) return colors::error;
   return hole.is_border() ? QColor(110, 100, 130) : QColor(20, 92, 200);
 }
 

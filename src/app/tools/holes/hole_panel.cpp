@@ -74,9 +74,9 @@ QComboBox* named(QComboBox* box, const QString& name) {
 LeftOpen left_open(const std::vector<HoleRow>& rows) {
   LeftOpen left;
   for (const HoleRow& row : rows) {
-    if (row.state == HoleState::Filled) continue;
+    if (row.state == FillAction::Fill) continue;
     ++(row.is_border() ? left.borders : left.holes);
-    if (row.state == HoleState::Failed) ++left.failed;
+    if (row.state == FillAction::Failed) ++left.failed;
     (row.is_border() ? left.border_edges : left.hole_edges) += row.edges;
   }
   return left;
@@ -312,7 +312,7 @@ void HolePanel::follow_head() {
   const WorkObject* object = studio_.active();
   const bool filled =
       there && object->quality == Quality::Final && object->result && !object->result->failed &&
-      std::ranges::any_of(holes_.rows(), [](const HoleRow& row) { return row.state == HoleState::Filled; });
+      std::ranges::any_of(holes_.rows(), [](const HoleRow& row) { return row.state == FillAction::Fill; });
   const bool remeshed = filled && is_remeshed(*object);  // what is shown, whatever is being computed
   check_.follow(filled ? object->mesh : nullptr, filled && !remeshed ? holes_.scan() : nullptr);
 }

@@ -38,23 +38,23 @@ bool has(std::span<const Index> holes, Index hole) {
   return std::find(holes.begin(), holes.end(), hole) != holes.end();
 }
 
-bool says_nothing(const HoleWish& wish) {
-  HoleWish empty;
-  empty.holes = wish.holes;
-  return wish == empty;
+bool says_nothing(const HoleRequest& request) {
+  HoleRequest empty;
+  empty.holes = request.holes;
+  return request == empty;
 }
 
 /// The values given in the later one, and else those of the earlier one.
-void merge(HoleWish& earlier, const HoleWish& later) {
+void merge(HoleRequest& earlier, const HoleRequest& later) {
   if (later.fill) earlier.fill = later.fill;
-  if (!later.fairness.empty()) earlier.fairness = later.fairness;
-  if (!later.kernel.empty()) earlier.kernel = later.kernel;
+  if (later.fairness) earlier.fairness = later.fairness;
+  if (later.kernel) earlier.kernel = later.kernel;
   if (later.bulge) earlier.bulge = later.bulge;
   if (later.trim_rim) earlier.trim_rim = later.trim_rim;
   earlier.through.insert(earlier.through.end(), later.through.begin(), later.through.end());
 }
 
-bool same_but_holes(const HoleWish& a, HoleWish b) {
+bool same_but_holes(const HoleRequest& a, HoleRequest b) {
   b.holes = a.holes;
   return a == b;
 }
@@ -133,30 +133,30 @@ std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vec
 
 QString words_for(const HoleRow& hole) { return tr(word_of(hole.kind)); }
 
-QString words_for(HoleState state) {
+QString words_for(FillAction state) {
   switch (state) {
-    case HoleState::Filled: return tr("filled");
-    case HoleState::Failed: return tr("failed");
-    case HoleState::Open: break;
+    case FillAction::Fill: return tr("filled");
+    case FillAction::Failed: return tr("failed");
+    case FillAction::Leave: break;
   }
   return tr("open");
 }
 
 QString summary_of(const std::vector<HoleRow>& holes) {
   if (holes.empty()) return tr("No holes");
-  const auto count = [&](HoleState state, bool border) {
+  const auto count = [&](FillAction state, bool border) {
     return std::count_if(holes.begin(), holes.end(), [&](const HoleRow& hole) {
-      return hole.state == state && (state != HoleState::Open || hole.is_border() == border);
+      return hole.state == state && (state != FillAction::Leave || hole.is_border() == border);
     });
   };
   QStringList parts;
   const auto add = [&parts](std::ptrdiff_t number, const QString& one, const QString& many) {
     if (number > 0) parts << (number == 1 ? one : many).arg(number);
   };
-  add(count(HoleState::Filled, false), tr("%1 filled"), tr("%1 filled"));
-  add(count(HoleState::Open, false), tr("%1 open"), tr("%1 open"));
-  add(count(HoleState::Open, true), tr("%1 border left open"), tr("%1 borders left open"));
-  add(count(HoleState::Failed, false), tr("%1 failed"), tr("%1 failed"));
+  add(count(FillAction::Fill, false), tr("%1 filled"), tr("%1 filled"));
+  add(count(FillAction::Leave, false), tr("%1 open"), tr("%1 open"));
+  add(count(FillAction::Leave, true), tr("%1 border left open"), tr("%1 borders left open"));
+  add(count(FillAction::Failed, false), tr("%1 failed"), tr("%1 failed"));
   return (holes.size() == 1 ? tr("1 hole: ") : tr("%1 holes: ").arg(holes.size())) + parts.join(", ");
 }
 
@@ -177,33 +177,34 @@ HolePlan::HolePlan(const Studio& studio, const Node& node) {
   ParameterValues values;
   for (const char* name : {"select", "only", "holes"}) values[name] = filling_value(studio, node, name);
   choice_ = read_fill_choice(values);
-  for (const HoleWish& wish : std::exchange(choice_.wishes, {})) {
-    if (wish.bridge) {
-      bridges_.push_back(wish);
+  for (const HoleRequest& request : std::exchange(choice_.requests, {})) {
+    if (request.bridge) {
+      bridges_.push_back(request);
       continue;
     }
-    for (const Index hole : wish.holes) merge(entry(hole), wish);
+    for (const Index hole : request.holes) merge(entry(hole), request);
   }
 }
 
-HoleWish HolePlan::wish(Index hole) const {
+HoleRequest HolePlan::request(Index hole) const {
   const auto found = single_.find(hole);
-  return found == single_.end() ? HoleWish{{hole}, false, {}, {}, {}, {}, {}, {}} : found->second;
+  return found == single_.end() ? HoleRequest{.holes = {hole}} : found->second;
 }
 
 bool HolePlan::is_bridged(Index hole) const {
-  return std::any_of(bridges_.begin(), bridges_.end(), [&](const HoleWish& wish) { return has(wish.holes, hole); });
+  return std::any_of(bridges_.begin(), bridges_.end(),
+                     [&](const HoleRequest& request) { return has(request.holes, hole); });
 }
 
-HoleWish& HolePlan::entry(Index hole) {
-  HoleWish& wish = single_[hole];
-  wish.holes = {hole};
-  return wish;
+HoleRequest& HolePlan::entry(Index hole) {
+  HoleRequest& request = single_[hole];
+  request.holes = {hole};
+  return request;
 }
 
-void HolePlan::keep_as_is(HoleWish& wish, std::span<const Index> filled) {
-  // Any wish fills the hole, unless its `fill` is false.
-  if (!wish.fill && !has(filled, wish.holes.front())) wish.fill = false;
+void HolePlan::keep_as_is(HoleRequest& request, std::span<const Index> filled) {
+  // Any request fills the hole, unless its `fill` is false.
+  if (!request.fill && !has(filled, request.holes.front())) request.fill = false;
 }
 
 void HolePlan::forget_empty() {
@@ -211,8 +212,8 @@ void HolePlan::forget_empty() {
 }
 
 void HolePlan::part_bridges(std::span<const Index> holes) {
-  std::erase_if(bridges_, [&](const HoleWish& wish) {
-    return std::any_of(wish.holes.begin(), wish.holes.end(), [&](Index hole) { return has(holes, hole); });
+  std::erase_if(bridges_, [&](const HoleRequest& request) {
+    return std::any_of(request.holes.begin(), request.holes.end(), [&](Index hole) { return has(holes, hole); });
   });
 }
 
@@ -225,9 +226,9 @@ void HolePlan::fill(std::span<const Index> holes) {
 void HolePlan::fill_all(hole_filling::Selection select, std::span<const Index> open) {
   choice_.select = select;
   choice_.only.clear();
-  for (auto& [hole, wish] : single_) wish.fill.reset();
+  for (auto& [hole, request] : single_) request.fill.reset();
   forget_empty();
-  for (auto& [hole, wish] : single_) wish.fill = !has(open, hole);
+  for (auto& [hole, request] : single_) request.fill = !has(open, hole);
   part_bridges(open);
 }
 
@@ -241,25 +242,26 @@ void HolePlan::reopen(std::span<const Index> holes) {
 
 void HolePlan::bridge(std::span<const Index> holes) {
   part_bridges(holes);
-  HoleWish wish;
-  wish.holes.assign(holes.begin(), holes.end());
-  wish.bridge = true;
+  HoleRequest request;
+  request.holes.assign(holes.begin(), holes.end());
+  request.bridge = true;
   for (const Index hole : holes) single_.erase(hole);
-  bridges_.push_back(std::move(wish));
+  bridges_.push_back(std::move(request));
 }
 
 ParameterValues HolePlan::values() const {
   FillChoice choice = choice_;
-  std::vector<HoleWish>& wishes = choice.wishes;
-  for (const auto& [hole, wish] : single_) {
-    const auto same = std::find_if(wishes.begin(), wishes.end(),
-                                   [&, &own = wish](const HoleWish& other) { return same_but_holes(own, other); });
-    if (same == wishes.end() || !wish.through.empty())
-      wishes.push_back(wish);
+  std::vector<HoleRequest>& requests = choice.requests;
+  for (const auto& [hole, request] : single_) {
+    const auto same = std::find_if(requests.begin(), requests.end(), [&, &own = request](const HoleRequest& other) {
+      return same_but_holes(own, other);
+    });
+    if (same == requests.end() || !request.through.empty())
+      requests.push_back(request);
     else
       same->holes.push_back(hole);
   }
-  wishes.insert(wishes.end(), bridges_.begin(), bridges_.end());
+  requests.insert(requests.end(), bridges_.begin(), bridges_.end());
   return to_parameters(choice);
 }
 
@@ -292,7 +294,7 @@ void PatchPreview::follow() {
     plan.fill(holes_);
     other.parameters = with_values(studio_, *node, plan.values()).find(node->id)->parameters;
   } catch (const Error&) {
-    return;  // the operation itself reports errors in its wishes
+    return;  // the operation itself reports errors in its requests
   }
   other.id = previewed_node;
   if (!live_) {

@@ -15,7 +15,7 @@
 #include "app/views/object_scenes.h"
 #include "app/views/patch_surface.h"
 #include "croquis/operators/fill_result.h"
-#include "croquis/operators/hole_wishes.h"
+#include "croquis/operators/hole_requests.h"
 
 namespace croquis::app {
 
@@ -58,7 +58,7 @@ std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vec
 QString words_for(const HoleRow& hole);
 
 /// "filled", "open" or "failed".
-QString words_for(HoleState state);
+QString words_for(FillAction state);
 
 /// "27 holes: 25 filled, 1 border left open, 1 failed".
 QString summary_of(const std::vector<HoleRow>& holes);
@@ -75,24 +75,24 @@ class HolePlan {
  public:
   HolePlan() = default;
 
-  /// @throws Error (E_PARAMETER) when the wishes can't be parsed
+  /// @throws Error (E_PARAMETER) when the requests can't be parsed
   HolePlan(const Studio& studio, const Node& node);
 
-  /// Of one hole alone; empty when nothing is wished.
-  HoleWish wish(Index hole) const;
-  const std::vector<HoleWish>& bridges() const { return bridges_; }
+  /// Of one hole alone; empty when nothing is asked.
+  HoleRequest request(Index hole) const;
+  const std::vector<HoleRequest>& bridges() const { return bridges_; }
   bool is_bridged(Index hole) const;
 
   void fill(std::span<const Index> holes);
 
   /// Fills what a selection of all fills, whatever single holes were given; how they are made stays.
-  /// @param open holes that stay open then: what is wished of their shape alone would fill them
+  /// @param open holes that stay open then: what is asked of their shape alone would fill them
   void fill_all(hole_filling::Selection select, std::span<const Index> open);
 
-  /// What was wished of them goes away; those that would be filled with others are left.
+  /// What was asked of them goes away; those that would be filled with others are left.
   void reopen(std::span<const Index> holes);
 
-  /// Those that hold one of the holes are no more; what else was wished of holes stays.
+  /// Those that hold one of the holes are no more; what else was asked of holes stays.
   void part_bridges(std::span<const Index> holes);
 
   /// One patch joins the rims.
@@ -100,10 +100,10 @@ class HolePlan {
 
   /// Changes how holes are made. Open ones stay open. @param filled ids of those that are filled now, sorted
   template <typename Change>
-  void change(std::span<const Index> holes, std::span<const Index> filled, Change&& change_wish) {
+  void change(std::span<const Index> holes, std::span<const Index> filled, Change&& change_request) {
     for (const Index hole : holes) {
-      HoleWish& changed = entry(hole);
-      change_wish(changed);
+      HoleRequest& changed = entry(hole);
+      change_request(changed);
       keep_as_is(changed, filled);
     }
     forget_empty();
@@ -113,13 +113,13 @@ class HolePlan {
   ParameterValues values() const;
 
  private:
-  HoleWish& entry(Index hole);
-  static void keep_as_is(HoleWish& wish, std::span<const Index> filled);
+  HoleRequest& entry(Index hole);
+  static void keep_as_is(HoleRequest& request, std::span<const Index> filled);
   void forget_empty();
 
-  FillChoice choice_;  ///< without its wishes, which follow
-  std::map<Index, HoleWish> single_;
-  std::vector<HoleWish> bridges_;
+  FillChoice choice_;  ///< without its requests, which follow
+  std::map<Index, HoleRequest> single_;
+  std::vector<HoleRequest> bridges_;
 };
 
 /// How open holes would be filled, kept computed beside the document: nothing of it is in there.

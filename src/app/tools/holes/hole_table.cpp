@@ -48,11 +48,11 @@ QIcon state_icon(const HoleRow& hole) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor color = hole_color(hole).lighter(130);
   painter.setPen(QPen(color, 2));
-  if (hole.state == HoleState::Filled) painter.setBrush(color);
+  if (hole.state == FillAction::Fill) painter.setBrush(color);
   painter.drawEllipse(QRectF(3, 3, 10, 10));
-  painter.setPen(QPen(hole.state == HoleState::Filled ? QColor(Qt::white) : color, 1.6));
-  if (hole.state == HoleState::Filled) painter.drawPolyline(QPolygonF{{5.5, 8.2}, {7.4, 10}, {10.6, 6}});
-  if (hole.state == HoleState::Failed) {
+  painter.setPen(QPen(hole.state == FillAction::Fill ? QColor(Qt::white) : color, 1.6));
+  if (hole.state == FillAction::Fill) painter.drawPolyline(QPolygonF{{5.5, 8.2}, {7.4, 10}, {10.6, 6}});
+  if (hole.state == FillAction::Failed) {
     painter.drawLine(QPointF(5.5, 5.5), QPointF(10.5, 10.5));
     painter.drawLine(QPointF(10.5, 5.5), QPointF(5.5, 10.5));
   }

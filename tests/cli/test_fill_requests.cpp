@@ -26,14 +26,14 @@ double farthest_new_vertex(const std::string& path, std::size_t given) {
   return distance;
 }
 
-TEST_CASE("wishes for single holes go before what is said for all") {
+TEST_CASE("requests for single holes go before what is said for all") {
   const ScratchFolder folder;
   const std::string input = folder.write("scan.ply", ply_of(holed_scan()));
-  const Json wished = filled(input, folder / "a.ply", {"--holes", "0: leave; 1: flat", "--holes", "2: smooth"});
-  CHECK(holes_with(wished, "leave") == std::set<int>{0});
-  CHECK(method_of(wished, 1) == "minimal");
-  CHECK(method_of(wished, 2) == "cgal-c1");
-  CHECK(wished["details"]["holes"][0]["reason"] == "asked to stay open");
+  const Json asked = filled(input, folder / "a.ply", {"--holes", "0: leave; 1: flat", "--holes", "2: smooth"});
+  CHECK(holes_with(asked, "leave") == std::set<int>{0});
+  CHECK(method_of(asked, 1) == "minimal");
+  CHECK(method_of(asked, 2) == "cgal-c1");
+  CHECK(asked["details"]["holes"][0]["reason"] == "asked to stay open");
   const Json one = filled(input, folder / "b.ply", {"--select", "none", "--holes", "2: fill"});
   CHECK(holes_with(one, "fill") == std::set<int>{2});
   CHECK(one["details"]["closed_rims"] == 1);

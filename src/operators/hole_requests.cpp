@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "croquis/operators/hole_wishes.h"
+#include "croquis/operators/hole_requests.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,9 @@
 namespace croquis {
 namespace {
 
+using hole_filling::Fairness;
 using hole_filling::Selection;
+using implicit::Kernel;
 
 constexpr std::string_view blanks = " \t\r\n";
 constexpr std::string_view separators_of_ids = ",+ \t\r\n";
@@ -37,55 +39,54 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
   return pieces;
 }
 
-bool read_bulge(std::string_view word, HoleWish& wish) {
+bool read_bulge(std::string_view word, HoleRequest& request) {
   const auto bulge = usable_number(word);
   if (!bulge || std::abs(*bulge) > 1) return false;
-  wish.bulge = *bulge;
+  request.bulge = *bulge;
   return true;
 }
 
-bool read_trim(std::string_view word, HoleWish& wish) {
+bool read_trim(std::string_view word, HoleRequest& request) {
   if (word.size() != 1 || word[0] < '0' || word[0] > '3') return false;
-  wish.trim_rim = word[0] - '0';
+  request.trim_rim = word[0] - '0';
   return true;
 }
 
-bool read_kernel(std::string_view word, HoleWish& wish) {
-  if (std::find(kernel_names.begin(), kernel_names.end(), word) == kernel_names.end()) return false;
-  wish.kernel = word;
-  return true;
+bool read_kernel(std::string_view word, HoleRequest& request) {
+  request.kernel = kernel_named(word);
+  return request.kernel.has_value();
 }
 
-bool read_through(const std::vector<std::string_view>& words, HoleWish& wish) {
+bool read_through(const std::vector<std::string_view>& words, HoleRequest& request) {
   Vec3 place;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto coordinate = usable_number(words[i + 1]);
     if (!coordinate) return false;
     place[static_cast<Eigen::Index>(i)] = *coordinate;
   }
-  wish.through.push_back(place);
+  request.through.push_back(place);
   return true;
 }
 
-bool read_word(std::string_view word, HoleWish& wish) {
-  if (word == "bridge") return wish.bridge = true;
+bool read_word(std::string_view word, HoleRequest& request) {
+  if (word == "bridge") return request.bridge = true;
   if (word == "fill" || word == "leave") {
-    wish.fill = word == "fill";
+    request.fill = word == "fill";
     return true;
   }
-  if (std::find(fairness_names.begin(), fairness_names.end(), word) == fairness_names.end()) return false;
-  wish.fairness = word;
-  return true;
+  const auto fairness = fairness_named(word);
+  if (fairness) request.fairness = fairness;
+  return fairness.has_value();
 }
 
-bool read_part(std::string_view part, HoleWish& wish) {
+bool read_part(std::string_view part, HoleRequest& request) {
   const std::vector<std::string_view> words = split(part, blanks);
-  if (words.size() == 1) return read_word(words[0], wish);
-  if (words.size() == 4) return words[0] == "through" && read_through(words, wish);
+  if (words.size() == 1) return read_word(words[0], request);
+  if (words.size() == 4) return words[0] == "through" && read_through(words, request);
   if (words.size() != 2) return false;
-  if (words[0] == "bulge") return read_bulge(words[1], wish);
-  if (words[0] == "trim") return read_trim(words[1], wish);
-  return words[0] == "kernel" && read_kernel(words[1], wish);
+  if (words[0] == "bulge") return read_bulge(words[1], request);
+  if (words[0] == "trim") return read_trim(words[1], request);
+  return words[0] == "kernel" && read_kernel(words[1], request);
 }
 
 Finding refusal(std::string_view part, const std::string& instead) {
@@ -93,53 +94,71 @@ Finding refusal(std::string_view part, const std::string& instead) {
                     {{SubjectKind::Parameter, "holes", {}, {}, {}}});
 }
 
-HoleWish read_wish(std::string_view text, Findings& findings) {
-  HoleWish wish;
+HoleRequest read_request(std::string_view text, Findings& findings) {
+  HoleRequest request;
   const std::size_t colon = text.find(':');
   for (const std::string_view word : split(text.substr(0, colon), separators_of_ids)) {
-    if (!append_indices(word, wish.holes))
+    if (!append_indices(word, request.holes))
       findings.push_back(
           refusal(word, "wishes begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
   }
   const auto parts = split(colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1), ",");
   for (const std::string_view part : parts) {
-    if (!read_part(part, wish))
+    if (!read_part(part, request))
       findings.push_back(refusal(part,
                                  "a hole can be told fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge "
                                  "-1..1, trim 0..3 or through X Y Z."));
   }
   if (parts.empty() || split(text.substr(0, colon), separators_of_ids).empty())
     findings.push_back(refusal(text, "it takes holes and what is wanted of them, such as '3: leave; 5-7: flat'."));
-  if (wish.bridge && std::set<Index>(wish.holes.begin(), wish.holes.end()).size() < 2)
+  if (request.bridge && std::set<Index>(request.holes.begin(), request.holes.end()).size() < 2)
     findings.push_back(refusal(text, "a bridge joins two holes or more, such as '2+9: bridge'."));
-  return wish;
+  return request;
 }
 
-std::vector<std::string> parts_of(const HoleWish& wish) {
+std::vector<std::string> parts_of(const HoleRequest& request) {
   std::vector<std::string> parts;
-  if (wish.fill) parts.emplace_back(*wish.fill ? "fill" : "leave");
-  if (wish.bridge) parts.emplace_back("bridge");
-  if (!wish.fairness.empty()) parts.push_back(wish.fairness);
-  if (!wish.kernel.empty()) parts.push_back("kernel " + wish.kernel);
-  if (wish.bulge) parts.push_back("bulge " + number_text(*wish.bulge));
-  if (wish.trim_rim) parts.push_back("trim " + std::to_string(*wish.trim_rim));
-  for (const Vec3& place : wish.through)
+  if (request.fill) parts.emplace_back(*request.fill ? "fill" : "leave");
+  if (request.bridge) parts.emplace_back("bridge");
+  if (request.fairness) parts.emplace_back(name_of(*request.fairness));
+  if (request.kernel) parts.push_back("kernel " + std::string(name_of(*request.kernel)));
+  if (request.bulge) parts.push_back("bulge " + number_text(*request.bulge));
+  if (request.trim_rim) parts.push_back("trim " + std::to_string(*request.trim_rim));
+  for (const Vec3& place : request.through)
     parts.push_back("through " + number_text(place.x()) + ' ' + number_text(place.y()) + ' ' + number_text(place.z()));
   return parts;
 }
 
-ParameterValue value_of(const std::vector<HoleWish>& wishes) {
-  std::string words = to_text(wishes);
+ParameterValue value_of(const std::vector<HoleRequest>& requests) {
+  std::string words = to_text(requests);
   if (words.empty()) return words;
-  return ParsedText(std::move(words), wishes);
+  return ParsedText(std::move(words), requests);
 }
 
 }  // namespace
 
-std::vector<HoleWish> wishes_in(const ParameterValue& value) {
+std::string_view name_of(Fairness fairness) {
+  return fairness_names[static_cast<std::size_t>(std::ranges::find(fairnesses, fairness) - fairnesses.begin())];
+}
+
+std::string_view name_of(Kernel kernel) { return kernel_names[static_cast<std::size_t>(kernel)]; }
+
+std::optional<Fairness> fairness_named(std::string_view name) {
+  const auto found = std::ranges::find(fairness_names, name);
+  if (found == fairness_names.end()) return std::nullopt;
+  return fairnesses[static_cast<std::size_t>(found - fairness_names.begin())];
+}
+
+std::optional<Kernel> kernel_named(std::string_view name) {
+  const auto found = std::ranges::find(kernel_names, name);
+  if (found == kernel_names.end()) return std::nullopt;
+  return static_cast<Kernel>(found - kernel_names.begin());
+}
+
+std::vector<HoleRequest> requests_in(const ParameterValue& value) {
   const auto* written = std::get_if<ParsedText>(&value);
-  const auto* wishes = written == nullptr ? nullptr : written->value<std::vector<HoleWish>>();
-  return wishes == nullptr ? parse_hole_wishes(to_text(value)) : *wishes;
+  const auto* requests = written == nullptr ? nullptr : written->value<std::vector<HoleRequest>>();
+  return requests == nullptr ? parse_hole_requests(to_text(value)) : *requests;
 }
 
 std::vector<Index> parse_hole_ids(const std::string& text) {
@@ -158,21 +177,21 @@ std::vector<Index> parse_hole_ids(const std::string& text) {
   return ids;
 }
 
-std::vector<HoleWish> parse_hole_wishes(const std::string& text) {
-  std::vector<HoleWish> wishes;
+std::vector<HoleRequest> parse_hole_requests(const std::string& text) {
+  std::vector<HoleRequest> requests;
   Findings findings;
-  for (const std::string_view piece : split(text, ";")) wishes.push_back(read_wish(piece, findings));
+  for (const std::string_view piece : split(text, ";")) requests.push_back(read_request(piece, findings));
   if (!findings.empty()) throw Error(std::move(findings));
-  return wishes;
+  return requests;
 }
 
-std::string to_text(std::span<const HoleWish> wishes) {
+std::string to_text(std::span<const HoleRequest> requests) {
   std::string text;
-  for (const HoleWish& wish : wishes) {
-    const std::vector<std::string> parts = parts_of(wish);
-    if (wish.holes.empty() || parts.empty()) continue;
+  for (const HoleRequest& request : requests) {
+    const std::vector<std::string> parts = parts_of(request);
+    if (request.holes.empty() || parts.empty()) continue;
     if (!text.empty()) text += "; ";
-    text += index_list_text(wish.holes, wish.bridge ? '+' : ',') + ": " + parts.front();
+    text += index_list_text(request.holes, request.bridge ? '+' : ',') + ": " + parts.front();
     for (std::size_t i = 1; i < parts.size(); ++i) text += ", " + parts[i];
   }
   return text;
@@ -187,14 +206,14 @@ FillChoice read_fill_choice(const ParameterValues& parameters) {
   FillChoice choice;
   choice.select = parse_selection(text_of(parameters, "select"));
   choice.only = parse_hole_ids(text_of(parameters, "only"));
-  choice.wishes = wishes_in(parameters.at("holes"));
+  choice.requests = requests_in(parameters.at("holes"));
   return choice;
 }
 
 ParameterValues to_parameters(const FillChoice& choice) {
   return {{"select", std::string(selection_names[static_cast<std::size_t>(choice.select)])},
           {"only", index_list_text(choice.only, ',')},
-          {"holes", value_of(choice.wishes)}};
+          {"holes", value_of(choice.requests)}};
 }
 
 }  // namespace croquis
