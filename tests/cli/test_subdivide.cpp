@@ -295,20 +295,6 @@ TEST_CASE("all schemes double the edges of closed chains, and keep a cube of sha
   CHECK(loop["details"]["levels"][0]["faces"] == 28);
 }
 
-TEST_CASE("with --limit vertices lie where endless refinement takes them") {
-  const ScratchFolder folder;
-  subdivided(folder, bolt(), {"--levels", "1", "--limit"});
-  const PolyMesh limit = mesh_in(folder / "level.obj");
-  CHECK(limit.channel("normal", Domain::Vertex) != nullptr);  // without sharp edges the corners of a vertex agree
-  subdivided(folder, bolt(), {"--levels", "6"});
-  const PolyMesh fine = mesh_in(folder / "level.obj");
-  for (const Vec3& point : limit.positions) {
-    double nearest = 1e9;
-    for (const Vec3& other : fine.positions) nearest = std::min(nearest, (point - other).norm());
-    CHECK(nearest < 0.06);  // faces of level 6 are about 0.06 across
-  }
-}
-
 TEST_CASE("level 0 is the cage, and provenance is attached on request") {
   const ScratchFolder folder;
   subdivided(folder, bolt_loop(), {"--levels", "0"});

@@ -180,31 +180,6 @@ TEST_CASE("convert keeps the tags of an OBJ file, and its order") {
   CHECK(slurp(folder / "b.obj") == slurp(original));
 }
 
-TEST_CASE("a project subdivides its cage as the command does") {
-  const ScratchFolder folder;
-  Node cage;
-  cage.name = "cage";
-  cage.visible = false;
-  cage.source = std::make_shared<const PolyMesh>(bolt_loop());
-  Node node;
-  node.name = "smooth";
-  node.operation = "subdivide";
-  node.parameters["levels"] = std::int64_t{3};
-  node.inputs["cage"] = {1, "value"};
-  Progress progress;
-  save_project(folder / "a.croq", {Document().with(cage).with(node), {}, {}}, progress);
-  const ProcessResult result = run_cli({"run", folder / "a.croq", "-o", folder / "run.obj", "--json"});
-  REQUIRE(result.code == 0);
-  CHECK(report_of(result)["details"]["nodes"][0]["details"]["levels"].size() == 4);
-  subdivided(folder, bolt_loop(), {"--levels", "3"});
-  CHECK(slurp(folder / "run.obj") == slurp(folder / "level.obj"));
-  subdivided(folder, bolt_loop(), {"--levels", "1", "--scheme", "catmull-clark"});
-  REQUIRE(run_cli({"run", folder / "a.croq", "-o", folder / "run.obj", "--set", "smooth.levels=1", "--set",
-                   "smooth.scheme=catmull-clark"})
-              .code == 0);
-  CHECK(slurp(folder / "run.obj") == slurp(folder / "level.obj"));
-}
-
 TEST_CASE("every shipped cage subdivides without a word, at every scheme") {
   const std::filesystem::path shipped = std::filesystem::path(CROQUIS_SOURCE_DIR) / "examples/data";
   int count = 0;

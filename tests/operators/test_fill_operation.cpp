@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <map>
 #include <numbers>
 
@@ -174,44 +173,6 @@ TEST_CASE("a flat cap over the wide end of an open surface isn't trusted") {
   }
 }
 
-TEST_CASE("the list tells what filling does, and makes nothing") {
-  const PolyMesh given = test::open_tube(1, 4, 24, 12);
-  for (const char* select : {"inner", "all", "all-but-largest"}) {
-    INFO(select);
-    const ParameterValues chosen = {{"select", std::string(select)}};
-    ParameterValues listed = chosen;
-    listed["list"] = true;
-    const OperationResult list = fill(given, listed);
-    CHECK(actions_of(list) == actions_of(fill(given, chosen)));
-    CHECK(content_hash(list.outputs.at("mesh")) == content_hash(inputs_of(given).at("scan")));
-    CHECK(details_of(list).at("new_faces").as_integer() == 0);
-    for (const Report& hole : details_of(list).at("holes").as_array()) {
-      CHECK(hole.at("method").is_null());
-      CHECK(hole.at("max_normal_jump").is_null());
-      CHECK(hole.at("reason").is_null() == (hole.at("action").as_string() == "fill"));
-    }
-  }
-  CHECK(actions_of(fill(given)) == "ll");
-  CHECK(actions_of(fill(given, {{"select", std::string("all")}})) == "ff");
-}
-
-TEST_CASE("holes are chosen by number and by diameter") {
-  CHECK(actions_of(fill(scan(), {{"only", std::string("0,2-3")}})) == "flffll");
-  const OperationResult list = fill(scan(), {{"list", true}});
-  double least = 1e9;
-  for (const Report& hole : details_of(list).at("holes").as_array())
-    least = std::min(least, hole.at("diameter").as_number());
-  const OperationResult narrow = fill(scan(), {{"max-diameter", least}});
-  std::size_t filled = 0;
-  for (const Report& hole : details_of(narrow).at("holes").as_array()) {
-    const bool fits = hole.at("diameter").as_number() <= least;
-    CHECK(hole.at("action").as_string() == (fits ? "fill" : "leave"));
-    filled += fits ? 1 : 0;
-  }
-  CHECK(filled >= 1);
-  CHECK(filled < 6);
-}
-
 TEST_CASE("lists of ids are numbers and ranges; every other word is refused by name") {
   CHECK(parse_hole_ids("").empty());
   CHECK(parse_hole_ids("7") == std::vector<Index>{7});
@@ -236,33 +197,6 @@ TEST_CASE("single precision rounds what is new and nothing else") {
       CHECK(static_cast<double>(rounded) == coordinate);
     }
   }
-}
-
-TEST_CASE("filling gives the same for any number of threads, and a filled mesh again") {
-  const OperationResult once = fill(scan());
-  for (const int threads : {2, 8}) {
-    CHECK(content_hash(fill(scan(), {}, threads).outputs.at("mesh")) == content_hash(once.outputs.at("mesh")));
-  }
-  const OperationResult twice = fill(mesh_of(once));
-  CHECK(content_hash(twice.outputs.at("mesh")) == content_hash(once.outputs.at("mesh")));
-  CHECK(details_of(twice).at("summary").as_string() == "No holes.");
-}
-
-TEST_CASE("filling stops when asked to, and its progress rises to one") {
-  double last = 0;
-  Progress watched([&](double fraction, const std::string&) {
-    CHECK(fraction >= last);
-    last = fraction;
-  });
-  Context context{watched};
-  run(*fill_operation(), inputs_of(scan()), {}, context);
-  CHECK(last == 1);
-
-  std::atomic<bool> cancel = false;
-  int reports = 0;
-  Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
-  Context stopping{stopped};
-  CHECK_THROWS_AS(run(*fill_operation(), inputs_of(scan()), {}, stopping), Cancelled);
 }
 
 TEST_CASE("the selection that hosts ask for names the holes that are filled") {

@@ -184,24 +184,6 @@ TEST_CASE("chains tell which tagged edges of the cage they descend from, in all 
   CHECK(edges == std::set<std::string>{"8 9", "9 10", "10 11", "8 11"});
 }
 
-TEST_CASE("subdividing stops when asked to, and its progress rises to one") {
-  double last = 0;
-  Progress watched([&](double fraction, const std::string&) {
-    CHECK(fraction >= last);
-    last = fraction;
-  });
-  Context context{watched};
-  run(*subdivide_operation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{3}}}, context);
-  CHECK(last == 1);
-
-  std::atomic<bool> cancel = false;
-  int reports = 0;
-  Progress stopped([&](double, const std::string&) { cancel = ++reports == 3; }, &cancel);
-  Context stopping{stopped};
-  CHECK_THROWS_AS(run(*subdivide_operation(), inputs_of(test::torus(40, 40)), {{"levels", std::int64_t{4}}}, stopping),
-                  Cancelled);
-}
-
 TEST_CASE("united tags keep what only one side has, and take the added side's word else") {
   const MeshTags own{{{{0, 1}, 1}, {{3, 2}, 2}}, {4, 5}, {{"a", 1, {{0, 1}}, {}}, {"b", 2, {{2, 3}}, {4}}}};
   const MeshTags added{{{{2, 3}, infinite_sharpness}, {{5, 6}, 0}}, {5, 7}, {{"b", infinite_sharpness, {}, {}}}};
