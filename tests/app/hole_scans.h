@@ -31,10 +31,10 @@ inline PolyMesh ball_with_holes(std::size_t count = 6) {
   return without_loose_vertices(random_cuts(round_sphere(4), 7, count, 0.15, 0.3).mesh);
 }
 
-inline app::HoleInteraction& holes(StudioFixture& hand) { return hand.holes(); }
+inline app::ScanHoles& holes(StudioFixture& hand) { return hand.holes(); }
 
 inline std::size_t count(StudioFixture& hand, FillAction state) {
-  const auto& rows = holes(hand).rows();
+  const auto& rows = holes(hand).rows;
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [&](const HoleRow& row) { return row.state == state; }));
 }

@@ -30,7 +30,7 @@ class StudioFixture {
   app::Studio& studio() { return window_->studio(); }
   app::SilhouetteTool& sketch() { return window_->tool<app::SilhouetteTool>(); }
   app::MeshEditingTool& mesh() { return window_->tool<app::MeshEditingTool>(); }
-  app::HoleInteraction& holes() { return window_->tool<app::HoleFillingTool>().holes(); }
+  app::ScanHoles& holes() { return window_->tool<app::HoleFillingTool>().holes(); }
   QString folder() const { return folder_.path(); }
 
   /// Closes the window as a crash would and opens another one with the same folders.

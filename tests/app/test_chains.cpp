@@ -277,7 +277,7 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
   choose(hand, chain[1]);
   hand.settle();
   CHECK(mode() == "holes");
-  REQUIRE(holes(hand).rows().size() == 6);
+  REQUIRE(holes(hand).rows.size() == 6);
   CHECK(count(hand, FillAction::Fill) == 6);
   const std::size_t faces = hand.studio().objects().front().mesh->face_count();
   holes(hand).select({1});

@@ -141,7 +141,7 @@ TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "
   check_apart(view);
 }
 
-TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told where the pointer comes to it",
+TEST_CASE("what is wrong with a drawing is a small mark, its sentence is shown where the pointer comes to it",
           "[chips]") {
   StudioFixture hand;
   Viewport& view = hand.viewport();
@@ -154,7 +154,7 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
     const auto& marks = hand.sketch().scene().finding_marks();
     for (const QWidget* chip : chips_of(view)) {
       const auto* label = qobject_cast<const QLabel*>(chip);
-      if (chip->windowType() == Qt::ToolTip) continue;  // told where the pointer was before
+      if (chip->windowType() == Qt::ToolTip) continue;  // shown where the pointer was before
       for (const app::FindingMark& mark : marks) CHECK((label == nullptr || label->text() != mark.sentence));
     }
     CHECK(!has_coordinates(view.help()));
@@ -162,10 +162,10 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is told wh
     for (int row = 0; row < list->count(); ++row) CHECK(!has_coordinates(list->item(row)->text()));
     for (const app::FindingMark& mark : marks) {
       CHECK(!mark.sentence.isEmpty());
-      const QPointF at = view.sketch_to_widget(mark.at);
+      const QPointF at = view.sketch_to_widget(mark.at.head<2>());
       if (!view.pane(Viewport::SketchView).rect.contains(at)) continue;
       hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
-      CHECK(hand.sketch().tooltip().contains(mark.sentence));
+      CHECK(hand.sketch().words().tooltip.contains(mark.sentence));
     }
     hand.studio().session().mark_saved();
   }
@@ -187,7 +187,7 @@ TEST_CASE("a mark is small, and its sentence is shown while the pointer is on it
   for (const app::FindingMark& mark : marks) {
     INFO(mark.sentence.toStdString());
     REQUIRE(mark.error);
-    const QPointF at = view.sketch_to_widget(mark.at);
+    const QPointF at = view.sketch_to_widget(mark.at.head<2>());
     const QRectF red = box_of_red(picture, at, 60);
     INFO(red.width() << " x " << red.height());
     CHECK(red.width() > 5);

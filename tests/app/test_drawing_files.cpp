@@ -25,9 +25,7 @@ QString written(StudioFixture& hand, const QString& name, const std::string& byt
   return file.fileName();
 }
 
-app::SheetInteraction& sheet_in(StudioFixture& hand) {
-  return hand.window().tool<app::PerspectiveDrawingTool>().sheet();
-}
+app::Sheet& sheet_in(StudioFixture& hand) { return hand.window().tool<app::PerspectiveDrawingTool>().sheet(); }
 
 /// The names of the strokes that the panel says something of that code about, in its order.
 std::vector<std::string> listed(StudioFixture& hand, const QString& code) {
@@ -76,7 +74,7 @@ TEST_CASE("an SVG file that doesn't say what it is opens as what is being worked
   CHECK(sheet_in(hand).drawing().strokes[0].group == StrokeGroup::ParallelX);
 }
 
-TEST_CASE("what was found in a drawing's file is told of strokes as they were read, not of changed ones",
+TEST_CASE("what was found in a drawing's file is reported of strokes as they were read, not of changed ones",
           "[drawing-files]") {
   using Names = std::vector<std::string>;
   SolidDrawing truth = drawn(box(), three_point_views()[1]);
@@ -98,7 +96,7 @@ TEST_CASE("what was found in a drawing's file is told of strokes as they were re
   hand.settle();
   REQUIRE(find_stroke(sheet_in(hand).drawing(), names[0])->group == StrokeGroup::ParallelY);
   CHECK(listed(hand, "GROUP_COLOUR") == Names(names.begin() + 1, names.end()));
-  sheet_in(hand).tool().take(recorded::SheetDelete{{names[3]}});
+  sheet_in(hand).tool.take(recorded::SheetDelete{{names[3]}});
   CHECK(listed(hand, "GROUP_COLOUR") == Names{names[1], names[2]});
   hand.act("undo");
   hand.act("undo");
@@ -118,7 +116,7 @@ TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size
   CHECK(sheet_in(hand).drawing().image_size == Vec2(800, 600));
   CHECK(*sheet_in(hand).drawing().field_of_view == Approx(2 * std::atan(0.5)));
   CHECK((*sheet_in(hand).drawing().principal_point - Vec2(420, 280)).norm() < 1e-6);
-  sheet_in(hand).tool().take(recorded::SheetSize{{1600, 1200}});
+  sheet_in(hand).tool.take(recorded::SheetSize{{1600, 1200}});
   REQUIRE(hand.window().open(path));
   CHECK((*sheet_in(hand).drawing().principal_point - Vec2(840, 560)).norm() < 1e-6);
   CHECK_FALSE(hand.window().open(written(hand, "broken.json", "{\"a\": 1}")));

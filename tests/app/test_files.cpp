@@ -94,13 +94,13 @@ TEST_CASE("a damaged project opens with every finding and with its earlier versi
   StudioFixture hand;
   const QString project = save_versions(hand);
   damage(project);
-  const Findings told = warnings_of(project);
+  const Findings found = warnings_of(project);
   REQUIRE(hand.window().open(project));
   CHECK(!label(hand, "message").isEmpty());
   QDialog* report = report_of_opening(hand);
   REQUIRE(report != nullptr);
   const auto* list = report->findChild<QListWidget*>("opening-findings");
-  REQUIRE(list->count() == static_cast<int>(told.size()));
+  REQUIRE(list->count() == static_cast<int>(found.size()));
   for (const QListWidgetItem* row : rows_of(*list)) {
     CHECK(row->text().contains("rings.croq"));
     CHECK(!row->text().contains(hand.folder()));
@@ -178,7 +178,7 @@ TEST_CASE("a project that lost its beginning or everything offers its versions, 
   CHECK(warnings_of(project).empty());
 }
 
-TEST_CASE("an unattended run tells what a damaged project lost, and asks nothing", "[files]") {
+TEST_CASE("an unattended run says what a damaged project lost, and asks nothing", "[files]") {
   StudioFixture hand;
   const QString project = save_versions(hand);
   damage(project);
@@ -258,7 +258,7 @@ TEST_CASE("what was saved is nothing to recover, what came after it is", "[files
   CHECK(content_hash(hand.studio().session().document()) == drawn);
 }
 
-TEST_CASE("a project that is open in another window is told, and saving over it asks", "[files]") {
+TEST_CASE("a project that is open in another window is reported, and saving over it asks", "[files]") {
   StudioFixture hand;
   const QString project = save_versions(hand);
   auto other = std::make_unique<app::MainWindow>(hand.folder() + "/state");
@@ -298,7 +298,7 @@ TEST_CASE("a project that is open in another window is told, and saving over it 
   CHECK(!other->files().is_open_elsewhere(project));
 }
 
-TEST_CASE("what is exported is told with its place, and its folder can be opened", "[files]") {
+TEST_CASE("what is exported is named with its place, and its folder can be opened", "[files]") {
   StudioFixture hand;
   hand.draw(snake_sketch());
   hand.settle();

@@ -9,7 +9,6 @@
 
 #include "app/hole_scans.h"
 #include "app/studio_fixture.h"
-#include "app/tools/holes/hole_panel.h"
 #include "app/tools/holes/hole_table.h"
 #include "app/tools/holes/surface_check.h"
 #include "croquis/geometry/mesh_report.h"
@@ -71,7 +70,7 @@ TEST_CASE("all but the largest keeps the hole of the greatest diameter, however 
   CAPTURE(comb_first);
   StudioFixture hand;
   open_scan(hand, box_with_disc_and_comb(comb_first));
-  const auto& rows = holes(hand).rows();
+  const auto& rows = holes(hand).rows;
   REQUIRE(rows.size() == 2);
   const Index disc = rows[0].diameter > rows[1].diameter ? 0 : 1;
   CHECK(rows[disc].edges < rows[1 - disc].edges);
@@ -108,7 +107,7 @@ TEST_CASE("patches of a refined surface meet nothing, and the check says so", "[
   } else {
     open_scan(hand, kind == "one piece" ? scan : as_soup(scan));
   }
-  REQUIRE(holes(hand).rows().size() == 3);
+  REQUIRE(holes(hand).rows.size() == 3);
   hand.act("fill-inner");
   hand.settle();
   REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("manifold"); }));
@@ -135,7 +134,7 @@ TEST_CASE("a scan with a vertex for every corner is checked as the surface that 
   }
   StudioFixture hand;
   open_scan(hand, apart);
-  REQUIRE(holes(hand).rows().size() == 2);
+  REQUIRE(holes(hand).rows.size() == 2);
   hand.act("fill-all");
   hand.settle();
   REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("manifold"); }));
@@ -143,7 +142,7 @@ TEST_CASE("a scan with a vertex for every corner is checked as the surface that 
   INFO(text.toStdString());
   CHECK(text.startsWith("closed but for seams ("));
   CHECK(text.contains("merge the vertices of the scan, manifold, 0 new intersections, outside unchanged"));
-  // A patch that does meet something is still told.
+  // A patch that does meet something is still reported.
   PolyMesh filled = filled_mesh(hand);
   const auto& ids = std::get<std::vector<std::int32_t>>(filled.channel("patch_id", Domain::Face)->data);
   const auto patch =
@@ -186,7 +185,7 @@ TEST_CASE("the holes of a cage that is refined first are those of its surface", 
   REQUIRE(surface->face_count() > cage.face_count());
   hand.act("holes");
   hand.settle();
-  REQUIRE(holes(hand).rows().size() == 1);
+  REQUIRE(holes(hand).rows.size() == 1);
   CHECK(holes(hand).scan() == surface);
   hand.act("fill-all");
   hand.settle();

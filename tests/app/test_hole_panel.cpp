@@ -9,7 +9,6 @@
 
 #include "app/hole_scans.h"
 #include "app/replay/replay_player.h"
-#include "app/tools/holes/hole_panel.h"
 #include "app/tools/holes/hole_table.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
@@ -31,13 +30,13 @@ void choose(QComboBox& box, const char* value) {
 }
 
 void slide_to(StudioFixture& hand, double diameter) {
-  app::SizeSlider& sizes = child<app::HolePanel>(hand, "hole-panel").sizes();
+  app::SizeSlider& sizes = child<app::SizeSlider>(hand, "size-slider");
   sizes.set_diameter(diameter);
   emit sizes.moved(diameter);
 }
 
 std::vector<Index> by_width(StudioFixture& hand) {
-  std::vector<HoleRow> rows = holes(hand).rows();
+  std::vector<HoleRow> rows = holes(hand).rows;
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.diameter < b.diameter; });
   std::vector<Index> ids;
   for (const HoleRow& row : rows) ids.push_back(row.id);
@@ -62,7 +61,7 @@ TEST_CASE("a preset is chosen beside the ways of patches, for all holes, and rec
   choose(presets, "noisy");
   hand.settle();
   CHECK(last_step(hand) == "Preset noisy of all holes");
-  CHECK(holes(hand).preset() == "noisy");
+  CHECK(app::text_parameter(holes(hand), "preset") == "noisy");
   const std::size_t steps = hand.studio().session().undo_labels().size();
   choose(presets, "noisy");
   CHECK(hand.studio().session().undo_labels().size() == steps);
@@ -84,7 +83,7 @@ TEST_CASE("filling up to a size fills the open holes alone, opens none, and says
   hand.settle();
   const double limit = width_of(hand, holes_by_width[2]);
   slide_to(hand, limit);
-  CHECK(holes(hand).selected() == holes(hand).open_up_to(limit));
+  CHECK(holes(hand).selected() == app::open_up_to(holes(hand), limit));
   CHECK(holes(hand).selected().size() == 2);
   CHECK(button.text().startsWith("Fill 2 up to"));
   button.click();
@@ -119,7 +118,7 @@ TEST_CASE("what fills or opens all holes can be chosen where it would change som
 TEST_CASE("where a mesh has no holes nothing can be filled or opened", "[hole-panel]") {
   StudioFixture hand;
   open_scan(hand, test::round_sphere(3));
-  REQUIRE(holes(hand).rows().empty());
+  REQUIRE(holes(hand).rows.empty());
   for (const char* name : {"fill-inner", "fill-all-but-largest", "fill-all", "reopen-all", "fill-selected"}) {
     INFO(name);
     CHECK(!is_enabled(hand, name));
@@ -135,7 +134,7 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   open_scan(hand, merged(below, above));
   std::vector<Index> facing;
   std::vector<Index> ends;
-  for (const HoleRow& row : holes(hand).rows())
+  for (const HoleRow& row : holes(hand).rows)
     (row.kind == hole_filling::HoleClass::Tunnel ? facing : ends).push_back(row.id);
   REQUIRE(facing.size() == 2);
   REQUIRE(ends.size() == 2);
@@ -145,7 +144,7 @@ TEST_CASE("all holes are opened, also those whose patches were shaped or bridged
   hand.act("fill-selected");
   hand.settle();
   REQUIRE(count(hand, FillAction::Fill) == 4);
-  holes(hand).set_way({.bulge = 0.3}, false);
+  app::set_method(holes(hand), {.bulge = 0.3}, false);
   hand.settle();
   SECTION("reopen all") {
     hand.act("reopen-all");
@@ -172,7 +171,7 @@ TEST_CASE("where a bridge can't be made its rims are filled one by one", "[hole-
   PolyMesh in_the_way = round_sphere(2);
   for (Vec3& place : in_the_way.positions) place *= 0.8;
   open_scan(hand, merged(ball, in_the_way));
-  REQUIRE(holes(hand).rows().size() == 2);
+  REQUIRE(holes(hand).rows.size() == 2);
   holes(hand).select({0, 1});
   hand.act("bridge-holes");
   hand.settle();
@@ -198,13 +197,13 @@ TEST_CASE("patches are coloured too where rims were trimmed and where the model 
   hand.act("tint-patches");
   const double tinted = share_of_yellow();
   CHECK(tinted > 0.02);
-  holes(hand).set_way({.trim_rim = 1});
+  app::set_method(holes(hand), {.trim_rim = 1});
   CHECK(share_of_yellow() > 0.8 * tinted);
   hand.act("tint-patches");
   CHECK(share_of_yellow() < 0.2 * tinted);
   hand.act("tint-patches");
-  holes(hand).set_way({.trim_rim = 0});
-  holes(hand).set_mode("remesh");
+  app::set_method(holes(hand), {.trim_rim = 0});
+  app::set_mode(holes(hand), "remesh");
   CHECK(share_of_yellow() > 0.8 * tinted);
   CHECK(!child<QLabel>(hand, "remesh-estimate").isVisible());
 }

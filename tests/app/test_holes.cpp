@@ -12,7 +12,6 @@
 #include "app/panels/lists.h"
 #include "app/replay/replay_player.h"
 #include "app/studio_fixture.h"
-#include "app/tools/holes/hole_panel.h"
 #include "app/tools/holes/hole_table.h"
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
@@ -34,7 +33,7 @@ TEST_CASE("the tool lists a scan's holes in one step and changes nothing of it",
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
   CHECK(last_step(hand) == "Find holes of scan");
-  CHECK(holes(hand).rows().size() == 6);
+  CHECK(holes(hand).rows.size() == 6);
   CHECK(count(hand, FillAction::Leave) == 6);
   CHECK(filled_mesh(hand).face_count() == hand.studio().active()->cage_mesh->face_count());
   auto* table = hand.window().findChild<app::HoleTable*>("holes");
@@ -54,14 +53,14 @@ TEST_CASE("a selected hole is previewed outside of the document, filled, and ope
   const ContentHash before = content_hash(hand.studio().session().document());
   holes(hand).select({2});
   hand.settle();
-  CHECK(holes(hand).preview().item() != nullptr);
+  CHECK(holes(hand).preview.item() != nullptr);
   CHECK(count(hand, FillAction::Leave) == 6);
   CHECK(content_hash(hand.studio().session().document()) == before);
   hand.act("fill-selected");
   hand.settle();
   CHECK(last_step(hand) == "Fill hole 2");
   CHECK(count(hand, FillAction::Fill) == 1);
-  CHECK(holes(hand).preview().item() == nullptr);
+  CHECK(holes(hand).preview.item() == nullptr);
   CHECK(rims_of(filled_mesh(hand)) == 5);
   holes(hand).select({4});
   hand.act("fill-selected");
@@ -96,11 +95,11 @@ TEST_CASE("all inner, all but the largest, up to a size: each one step, checked 
   hand.settle();
   CHECK(count(hand, FillAction::Fill) == 0);
 
-  auto& panel = *hand.window().findChild<app::HolePanel*>("hole-panel");
-  const HoleHistogram sizes = panel.sizes().histogram();
+  auto& slider = *hand.window().findChild<app::SizeSlider*>("size-slider");
+  const HoleHistogram sizes = slider.histogram();
   const double middle = sizes.diameter(0.5);
-  panel.sizes().set_diameter(middle);
-  emit panel.sizes().moved(middle);
+  slider.set_diameter(middle);
+  emit slider.moved(middle);
   hand.settle();
   CHECK(holes(hand).selected().size() == sizes.count_up_to(middle));
   CHECK(count(hand, FillAction::Fill) == 0);
@@ -115,16 +114,16 @@ TEST_CASE("filling up to a size and ways of patches are recorded as what was don
   const QString recording = hand.folder() + "/session.jsonl";
   hand.window().record_to(recording);
   open_scan(hand, ball_with_holes());
-  const double size = holes(hand).rows()[2].diameter * (1 + 1e-9);
-  auto& panel = *hand.window().findChild<app::HolePanel*>("hole-panel");
-  panel.sizes().set_diameter(size);
-  emit panel.sizes().moved(size);
+  const double size = holes(hand).rows[2].diameter * (1 + 1e-9);
+  auto& slider = *hand.window().findChild<app::SizeSlider*>("size-slider");
+  slider.set_diameter(size);
+  emit slider.moved(size);
   hand.window().findChild<QPushButton*>("fill-sizes")->click();
   hand.settle();
   holes(hand).select({1});
-  for (const double bulge : {0.1, 0.2}) holes(hand).set_way({.bulge = bulge}, true);
-  holes(hand).set_way({.bulge = 0.3}, false);
-  holes(hand).set_way({.bulge = 0.3}, false);  // nothing new
+  for (const double bulge : {0.1, 0.2}) app::set_method(holes(hand), {.bulge = bulge}, true);
+  app::set_method(holes(hand), {.bulge = 0.3}, false);
+  app::set_method(holes(hand), {.bulge = 0.3}, false);  // nothing new
   hand.act("deselect");
   hand.act("way-smooth");
   hand.settle();
@@ -146,7 +145,7 @@ TEST_CASE("filling up to a size and ways of patches are recorded as what was don
 TEST_CASE("what was left open on purpose is said with its name, and is no fault", "[holes]") {
   StudioFixture hand;
   open_scan(hand, test::without_loose_vertices(test::random_cuts(test::sheet(24, 24), 3, 2, 2, 4).mesh));
-  REQUIRE(holes(hand).rows().size() == 3);
+  REQUIRE(holes(hand).rows.size() == 3);
   const auto checked = [&] {
     hand.settle();
     REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("manifold"); }));
@@ -157,7 +156,7 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
   CHECK(checked() ==
         "open at its outer border (96 edges), otherwise sound: manifold, 0 new intersections, outside unchanged");
   CHECK(is_calm());
-  const auto& rows = holes(hand).rows();
+  const auto& rows = holes(hand).rows;
   const auto inner = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.is_border(); });
   const HoleRow opened = *inner;
   holes(hand).select({opened.id});
@@ -167,7 +166,7 @@ TEST_CASE("what was left open on purpose is said with its name, and is no fault"
                          .arg(opened.edges));
   CHECK(is_calm());
   hand.act("deselect");
-  holes(hand).set_way({.trim_rim = 1});
+  app::set_method(holes(hand), {.trim_rim = 1});
   CHECK(checked().contains("otherwise sound: manifold, 0 new intersections, rims trimmed, else unchanged"));
   CHECK(is_calm());
 }
@@ -183,25 +182,25 @@ TEST_CASE("the way of a patch belongs to what is selected, else to all, and a dr
   hand.settle();
   CHECK(last_step(hand) == "Method flat of hole 1");
   CHECK(holes(hand).row(1)->method != holes(hand).row(0)->method);
-  CHECK(holes(hand).way().fairness == "flat");
+  CHECK(app::method_of_selected(holes(hand)).fairness == "flat");
   hand.act("way-auto");
   hand.settle();
-  CHECK(holes(hand).way().fairness == "auto");
+  CHECK(app::method_of_selected(holes(hand)).fairness == "auto");
   CHECK(holes(hand).row(1)->method == holes(hand).row(0)->method);
   hand.act("undo");
   hand.settle();
-  CHECK(holes(hand).way().fairness == "flat");
+  CHECK(app::method_of_selected(holes(hand)).fairness == "flat");
   hand.act("deselect");
-  CHECK(holes(hand).way().fairness == "auto");
+  CHECK(app::method_of_selected(holes(hand)).fairness == "auto");
   const std::size_t steps = hand.studio().session().undo_labels().size();
   holes(hand).select({0});
   const PolyMesh before = filled_mesh(hand);
-  for (const double bulge : {0.1, 0.2, 0.3}) holes(hand).set_way({.bulge = bulge}, true);
-  holes(hand).set_way({.bulge = 0.4}, false);
+  for (const double bulge : {0.1, 0.2, 0.3}) app::set_method(holes(hand), {.bulge = bulge}, true);
+  app::set_method(holes(hand), {.bulge = 0.4}, false);
   hand.settle();
   CHECK(hand.studio().session().undo_labels().size() == steps + 1);
   CHECK(last_step(hand) == "Bulge of hole 0");
-  CHECK(holes(hand).way().bulge == Approx(0.4));
+  CHECK(app::method_of_selected(holes(hand)).bulge == Approx(0.4));
   CHECK(filled_mesh(hand).positions != before.positions);
   hand.act("undo");
   hand.settle();
@@ -213,22 +212,22 @@ TEST_CASE("an open hole's way shows in its preview and leaves it open", "[hole-w
   open_scan(hand, ball_with_holes());
   holes(hand).select({3});
   hand.settle();
-  const auto before = holes(hand).preview().item();
+  const auto before = holes(hand).preview.item();
   REQUIRE(before != nullptr);
-  holes(hand).set_way({.bulge = 0.5}, false);
+  app::set_method(holes(hand), {.bulge = 0.5}, false);
   hand.settle();
-  CHECK(holes(hand).preview().item() != before);
+  CHECK(holes(hand).preview.item() != before);
   CHECK(count(hand, FillAction::Leave) == 6);
   hand.act("fill-selected");
   hand.settle();
   CHECK(count(hand, FillAction::Fill) == 1);
-  CHECK(holes(hand).way().bulge == Approx(0.5));
+  CHECK(app::method_of_selected(holes(hand)).bulge == Approx(0.5));
 }
 
 TEST_CASE("holes are picked in the views, by list and box; a double click fills", "[holes]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
-  const auto& pins = holes(hand).pins(Viewport::PerspectiveView);
+  const auto& pins = holes(hand).tool.pins(hand.viewport().own_frame_of(Viewport::PerspectiveView));
   const auto seen =
       std::find_if(pins.begin(), pins.end(), [](const HolePin& pin) { return pin.visible && pin.facing; });
   REQUIRE(seen != pins.end());
@@ -264,13 +263,13 @@ TEST_CASE("a place of a patch is pulled, live and in one step, and its handles a
   hand.settle();
   holes(hand).select({0});
   const Vec3 from = holes(hand).row(0)->at;
-  holes(hand).replay(recorded::HolePoint{0, from, Vec3(from + 0.2 * from.normalized()), {}});
+  app::replay(holes(hand), recorded::HolePoint{0, from, Vec3(from + 0.2 * from.normalized()), {}});
   hand.settle();
   CHECK(last_step(hand) == "Shape hole 0");
-  CHECK(holes(hand).tool().handles().size() == 1);
+  CHECK(holes(hand).tool.handles().size() == 1);
   hand.act("clear-handles");
   hand.settle();
-  CHECK(holes(hand).tool().handles().empty());
+  CHECK(holes(hand).tool.handles().empty());
 }
 
 TEST_CASE("the panel of attributes has no switch for listing alone", "[holes]") {
@@ -290,7 +289,7 @@ TEST_CASE("filled holes are in projects, recordings and files", "[hole-recording
   hand.act("fill-selected");
   hand.settle();
   holes(hand).select({3});
-  holes(hand).set_way({.bulge = 0.25}, false);
+  app::set_method(holes(hand), {.bulge = 0.25}, false);
   hand.act("fill-inner");
   hand.settle();
   holes(hand).select({5});
@@ -328,7 +327,7 @@ TEST_CASE("a finding about a hole selects and frames it", "[hole-ways]") {
   auto* list = hand.window().findChild<app::FindingsList*>("findings");
   emit list->finding_chosen({hand.studio().active()->node, finding});
   hand.settle();
-  CHECK(holes(hand).active());
+  CHECK(holes(hand).active);
   CHECK(holes(hand).selected() == std::vector<Index>{4});
 }
 
@@ -359,14 +358,14 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
   cuts.low = 0.015;
   cuts.high = 0.05;
   open_scan(hand, test::without_loose_vertices(test::ragged_cuts(complete, cuts).mesh));
-  REQUIRE(holes(hand).rows().size() == 12);
+  REQUIRE(holes(hand).rows.size() == 12);
   holes(hand).select({3});
   double longest = longest_turn_ms(hand);
-  const double previewed = holes(hand).preview().last_latency_ms();
-  holes(hand).set_way({.bulge = 0.2}, false);
+  const double previewed = holes(hand).preview.last_latency_ms();
+  app::set_method(holes(hand), {.bulge = 0.2}, false);
   longest = std::max(longest, longest_turn_ms(hand));
   WARN(triangles << " triangles: preview " << previewed << " ms, of another bulge "
-                 << holes(hand).preview().last_latency_ms() << " ms");
+                 << holes(hand).preview.last_latency_ms() << " ms");
   hand.act("fill-all-but-largest");
   longest = std::max(longest, longest_turn_ms(hand));
   WARN("the window's thread was busy for " << longest << " ms at a time at most");
@@ -387,11 +386,11 @@ TEST_CASE("the window is never held up while a large scan's holes are worked on"
 TEST_CASE("a hole and its island are previewed, filled and opened together, whichever is picked", "[hole-ways]") {
   StudioFixture hand;
   open_scan(hand, test::without_loose_vertices(test::cut_ring(test::round_sphere(4), {0, 0, 1}, 0.2, 0.5).mesh));
-  REQUIRE(holes(hand).rows().size() == 2);
+  REQUIRE(holes(hand).rows.size() == 2);
   for (const Index picked : {Index{0}, Index{1}}) {
     holes(hand).select({picked});
     hand.settle();
-    CHECK(holes(hand).preview().item() != nullptr);
+    CHECK(holes(hand).preview.item() != nullptr);
     hand.act("fill-selected");
     hand.settle();
     CHECK(count(hand, FillAction::Fill) == 2);
@@ -408,9 +407,9 @@ TEST_CASE("two selected rims are bridged by one band; trimming takes faces along
   PolyMesh above = below;
   for (Vec3& place : above.positions) place.z() += 2.5;
   open_scan(hand, test::merged(below, above));
-  REQUIRE(holes(hand).rows().size() == 4);
+  REQUIRE(holes(hand).rows.size() == 4);
   std::vector<Index> facing;
-  for (const HoleRow& row : holes(hand).rows()) {
+  for (const HoleRow& row : holes(hand).rows) {
     if (row.kind == hole_filling::HoleClass::Tunnel) facing.push_back(row.id);
   }
   REQUIRE(facing.size() == 2);
@@ -426,7 +425,7 @@ TEST_CASE("two selected rims are bridged by one band; trimming takes faces along
   hand.act("redo");
   hand.settle();
   CHECK(filled_mesh(hand).face_count() == bridged);
-  holes(hand).set_way({.trim_rim = 1});
+  app::set_method(holes(hand), {.trim_rim = 1});
   hand.settle();
   CHECK(count(hand, FillAction::Fill) == 2);
   CHECK(rims_of(filled_mesh(hand)) == 2);

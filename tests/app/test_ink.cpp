@@ -133,7 +133,7 @@ void frame(StudioFixture& hand, const std::vector<std::vector<Vec2>>& strokes) {
   hand.look_at(low, high);
 }
 
-/// A stroke in whole pixels as a mouse tells it within 0.7 seconds, four milliseconds apart.
+/// A stroke in whole pixels as a mouse reports it within 0.7 seconds, four milliseconds apart.
 std::vector<QPoint> at_pace(Viewport& viewport, const std::vector<Vec2>& stroke) {
   constexpr int moves = 175;
   const std::vector<double> lengths = arc_lengths(stroke, false);
@@ -301,19 +301,19 @@ TEST_CASE("what is computed while a stroke is under way is shown when it has end
   StudioFixture hand;
   Viewport& view = hand.viewport();
   hand.look_at({-200, -200}, {200, 200});
-  int told = 0;
-  QObject::connect(&hand.studio(), &app::Studio::result_changed, [&] { ++told; });
+  int reports = 0;
+  QObject::connect(&hand.studio(), &app::Studio::result_changed, [&] { ++reports; });
   hand.draw(arc(120, 0, 1.5, 60));
   hand.sketch().tool().set({"stroke 1", silhouette::StrokeKind::Contour});  // an error, when it is computed
   hand.begin_stroke(arc(120, 4.5, 5, 10));
-  told = 0;
+  reports = 0;
   hand.settle();
   CHECK(!hand.studio().busy());
-  CHECK(told == 0);
+  CHECK(reports == 0);
   CHECK(hand.sketch().scene().finding_marks().empty());
   CHECK(!view.help().contains("stroke"));
   hand.act("deselect");  // gives the stroke up
-  CHECK(told > 0);
+  CHECK(reports > 0);
   CHECK(!hand.sketch().scene().finding_marks().empty());
 }
 

@@ -126,10 +126,10 @@ TEST_CASE("what can't be read is marked where it is, with its sentence, until th
   const auto& marks = hand.sketch().scene().finding_marks();
   REQUIRE(!marks.empty());
   CHECK(marks.front().error);
-  CHECK((marks.front().at - open[30]).norm() < 15);
+  CHECK((marks.front().at.head<2>() - open[30]).norm() < 15);
   CHECK(marks.front().sentence.contains("stroke 1"));
   CHECK(hand.window().findChild<app::FindingsList*>("findings")->count() >= 1);
-  const QPointF at = hand.viewport().sketch_to_widget(marks.front().at);
+  const QPointF at = hand.viewport().sketch_to_widget(marks.front().at.head<2>());
   const auto is_red = [](const QColor& c) { return c.red() > 150 && c.green() < 110 && c.blue() < 110; };
   CHECK(test::share_of_pixels(hand.picture(), QRectF(at - QPointF(8, 8), QSizeF(16, 16)), is_red) > 0.1);
 

@@ -110,7 +110,7 @@ TEST_CASE("a dragged cage point moves the smooth surface while the button is dow
   CHECK((hand.studio().active()->cage_mesh->positions[15] - corner).norm() == 0);
 }
 
-TEST_CASE("what is under the pointer lights up, and a tagged edge tells its sharpness", "[meshes]") {
+TEST_CASE("what is under the pointer lights up, and a tagged edge shows its sharpness", "[meshes]") {
   StudioFixture hand;
   show_collar(hand);
   const QPointF at = hand.viewport().model_to_widget(collar_edge, Viewport::PerspectiveView);
@@ -243,7 +243,7 @@ TEST_CASE("an exported cage keeps its tags", "[mesh-views]") {
   CHECK(back.tags.pins == tags.pins);
 }
 
-TEST_CASE("a cage that can't be refined is told in words that lead to its elements", "[meshes]") {
+TEST_CASE("a cage that can't be refined is reported in words that lead to its elements", "[meshes]") {
   StudioFixture hand;
   const QString file = hand.folder() + "/fan.obj";
   std::ofstream(file.toStdString()) << "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"

@@ -8,7 +8,6 @@
 #include "app/hole_scans.h"
 #include "app/panels/lists.h"
 #include "app/replay/replay_player.h"
-#include "app/tools/holes/hole_panel.h"
 #include "croquis/base/error.h"
 #include "croquis/document/content_hash.h"
 #include "croquis/io/file.h"
@@ -113,7 +112,7 @@ TEST_CASE("a frozen scan keeps its patches as sets of faces that can be worked o
   hand.act("freeze");
   hand.settle();
   CHECK(last_step(hand) == "Freeze scan filled");
-  CHECK(!holes(hand).active());
+  CHECK(!holes(hand).active);
   CHECK(hand.studio().active()->cage_mesh->face_count() == faces);
   const QString project = hand.folder() + "/scan.croq";
   hand.window().files().save(project);
@@ -158,7 +157,7 @@ TEST_CASE("a hole that is brought near is seen from its front, inside-out scans 
     hand.act("undo");
     hand.act("undo");
     hand.settle();
-    CHECK(holes(hand).help().startsWith("O "));
+    CHECK(hand.window().tool<app::HoleFillingTool>().words().help.startsWith("O "));
   }
 }
 
@@ -190,16 +189,16 @@ TEST_CASE("another kernel of one hole changes its patch alone", "[patch-views]")
   std::map<Index, std::vector<Vec3>> before;
   for (Index hole = 0; hole < 6; ++hole) before[hole] = places_of_patch(hand, hole);
   holes(hand).select({4});
-  holes(hand).set_way({.kernel = "biharmonic"});
+  app::set_method(holes(hand), {.kernel = "biharmonic"});
   hand.settle();
   CHECK(last_step(hand) == "Kernel biharmonic of hole 4");
   for (Index hole = 0; hole < 6; ++hole) {
     INFO(hole);
     CHECK((places_of_patch(hand, hole) == before[hole]) == (hole != 4));
   }
-  CHECK(holes(hand).way().kernel == "biharmonic");
+  CHECK(app::method_of_selected(holes(hand)).kernel == "biharmonic");
   hand.act("deselect");
-  CHECK(holes(hand).way().kernel == "hermite");
+  CHECK(app::method_of_selected(holes(hand)).kernel == "hermite");
   hand.act("undo");
   hand.settle();
   CHECK(places_of_patch(hand, 4) == before[4]);
@@ -216,7 +215,7 @@ TEST_CASE("a cancelled making anew changes nothing, and the window works on", "[
   const std::size_t faces = filled_mesh(hand).face_count();
   auto* cancel = hand.window().findChild<QPushButton*>("cancel");
   REQUIRE(hand.wait_for([&] { return label(hand, "hole-check").contains("outside unchanged"); }));
-  holes(hand).set_mode("remesh");
+  app::set_mode(holes(hand), "remesh");
   REQUIRE(hand.wait_for([&] { return cancel->isVisible(); }));
   // What is seen meanwhile are the patches, and that is what is said of them.
   CHECK(label(hand, "hole-check").contains("outside unchanged"));
@@ -244,12 +243,12 @@ TEST_CASE("move and rotate leave the holes as they are, and holes come back with
   auto* dock = hand.window().findChild<QWidget*>("holes-dock");
   for (const auto& [name, handles] : {std::pair{"move", MeshHandles::Move}, {"rotate", MeshHandles::Rotate}}) {
     hand.act(name);
-    CHECK(!holes(hand).active());
+    CHECK(!holes(hand).active);
     CHECK(!dock->isVisible());
     CHECK(hand.mesh().tool().handles() == handles);
     hand.act("holes");
     hand.settle();
-    CHECK(holes(hand).active());
+    CHECK(holes(hand).active);
     CHECK(dock->isVisible());
     CHECK(count(hand, FillAction::Fill) == 1);
     CHECK(hand.mesh().tool().handles() == MeshHandles::Select);

@@ -22,9 +22,9 @@ namespace croquis::test {
 namespace {
 
 using app::PerspectiveDrawingTool;
-using app::SheetInteraction;
+using app::Sheet;
 
-SheetInteraction& sheet_of(StudioFixture& hand) { return hand.window().tool<PerspectiveDrawingTool>().sheet(); }
+Sheet& sheet_of(StudioFixture& hand) { return hand.window().tool<PerspectiveDrawingTool>().sheet(); }
 
 SolidDrawing drawing_of(const PerspectiveSolid& solid, int construction_lines) {
   SolidDrawingOptions options;
@@ -166,16 +166,16 @@ TEST_CASE("keys over the sheet choose groups, elsewhere they are those of the vi
   const app::ViewPane& pane = hand.viewport().pane(app::SketchView);
   hand.send_mouse(QEvent::MouseMove, pane.rect.center(), Qt::NoButton, Qt::NoModifier);
   QTest::keyClick(&hand.viewport(), Qt::Key_5);
-  CHECK(sheet_of(hand).tool().group() == StrokeGroup::NormalY);
+  CHECK(sheet_of(hand).tool.group() == StrokeGroup::NormalY);
   QTest::keyClick(&hand.viewport(), Qt::Key_0);
-  CHECK(!sheet_of(hand).tool().group());
+  CHECK(!sheet_of(hand).tool.group());
   QTest::keyClick(&hand.viewport(), Qt::Key_C);
-  CHECK(sheet_of(hand).tool().role() == StrokeRole::Construction);
+  CHECK(sheet_of(hand).tool.role() == StrokeRole::Construction);
   QTest::keyClick(&hand.viewport(), Qt::Key_E);
-  CHECK(sheet_of(hand).tool().role() == StrokeRole::Edge);
-  CHECK(hand.viewport().tool_in(app::SketchView)->takes_key(Qt::Key_4));
+  CHECK(sheet_of(hand).tool.role() == StrokeRole::Edge);
+  CHECK(hand.viewport().tool_in(app::SketchView)->keys.pressed.contains(Qt::Key_4));
   hand.act("new");
-  CHECK_FALSE(hand.viewport().tool_in(app::SketchView)->takes_key(Qt::Key_4));
+  CHECK_FALSE(hand.viewport().tool_in(app::SketchView)->keys.pressed.contains(Qt::Key_4));
 }
 
 TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fixed by the chip", "[perspective]") {
@@ -197,7 +197,7 @@ TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fix
   REQUIRE(sheet_of(hand).result() != nullptr);
   CHECK(sheet_of(hand).result()->faces.size() < solid.faces.size());
   hand.act("mirror");
-  REQUIRE(sheet_of(hand).proposal());
+  REQUIRE(sheet_of(hand).proposal);
   hand.picture();
   hand.viewport().findChild<QToolButton*>("perspective-mirror-chip")->click();
   hand.settle();
@@ -210,7 +210,7 @@ TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fix
   }
   StrokeSetting wrong;
   wrong.group = StrokeGroup::ParallelX;
-  sheet_of(hand).tool().take(recorded::SheetSetting{{edge}, wrong});
+  sheet_of(hand).tool.take(recorded::SheetSetting{{edge}, wrong});
   hand.settle();
   REQUIRE(!sheet_of(hand).result()->fixes.empty());
   hand.picture();

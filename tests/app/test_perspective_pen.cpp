@@ -22,7 +22,7 @@
 namespace croquis::test {
 namespace {
 
-app::SheetInteraction& open_sheet(StudioFixture& hand, const PerspectiveDrawing& drawing) {
+app::Sheet& open_sheet(StudioFixture& hand, const PerspectiveDrawing& drawing) {
   app::start_with(hand.studio(), drawing);
   hand.window().show_views();
   hand.settle();
@@ -74,24 +74,24 @@ TEST_CASE("an empty sheet says what to draw, in full, and computes nothing", "[p
 TEST_CASE("a flick with the right button, or with G held, chooses a group without reading the ring",
           "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, plain(box()));
+  app::Sheet& sheet = open_sheet(hand, plain(box()));
   hand.viewport().setFocus();
   const QPointF at = empty_place(hand);
   const auto flick = [&](const QPointF& way) { hand.drag_pixels(at, at + way, Qt::RightButton, Qt::NoModifier); };
   flick({60, 0});
-  CHECK(sheet.tool().group() == StrokeGroup::ParallelX);
+  CHECK(sheet.tool.group() == StrokeGroup::ParallelX);
   flick({0, -60});
-  CHECK(sheet.tool().group() == StrokeGroup::ParallelZ);
+  CHECK(sheet.tool.group() == StrokeGroup::ParallelZ);
   flick({45, -45});
-  CHECK(sheet.tool().group() == StrokeGroup::NormalX);
+  CHECK(sheet.tool.group() == StrokeGroup::NormalX);
   flick({-45, -45});
-  CHECK_FALSE(sheet.tool().group());
+  CHECK_FALSE(sheet.tool.group());
   flick({0, 60});
-  CHECK(sheet.tool().role() == StrokeRole::Construction);
+  CHECK(sheet.tool.role() == StrokeRole::Construction);
   flick({0, 60});
-  CHECK(sheet.tool().role() == StrokeRole::Edge);
+  CHECK(sheet.tool.role() == StrokeRole::Edge);
   flick({3, 2});
-  CHECK_FALSE(sheet.tool().group());
+  CHECK_FALSE(sheet.tool.group());
 
   hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
   QTest::keyPress(&hand.viewport(), Qt::Key_G);
@@ -100,13 +100,13 @@ TEST_CASE("a flick with the right button, or with G held, chooses a group withou
   CHECK(hand.viewport().marking_menu().is_open());
   QTest::keyRelease(&hand.viewport(), Qt::Key_G);
   CHECK_FALSE(hand.viewport().marking_menu().is_open());
-  CHECK(sheet.tool().group() == StrokeGroup::ParallelY);
+  CHECK(sheet.tool.group() == StrokeGroup::ParallelY);
 }
 
 TEST_CASE("the chip says what a closed solid lacks, and a click shows the strokes", "[perspective-pen]") {
   StudioFixture hand;
   PerspectiveDrawing whole = plain(box());
-  app::SheetInteraction& sheet = open_sheet(hand, whole);
+  app::Sheet& sheet = open_sheet(hand, whole);
   CHECK(chip_text(hand) == "Solid closed");
 
   // Without one edge two flat faces become a bent one, and that closes.
@@ -116,7 +116,7 @@ TEST_CASE("the chip says what a closed solid lacks, and a click shows the stroke
   open_sheet(hand, lacking);
   CHECK(chip_text(hand) == "Closed, but one face is bent: a stroke is probably missing");
   hand.viewport().findChild<QToolButton*>("perspective-faces")->click();
-  CHECK(sheet.tool().selected().size() == 6);
+  CHECK(sheet.tool.selected().size() == 6);
 
   // A stroke that nothing joins is left out of the solid.
   PerspectiveDrawing more = whole;
@@ -136,17 +136,17 @@ TEST_CASE("the chip says what a closed solid lacks, and a click shows the stroke
 
 TEST_CASE("coordinates and lengths are typed at the pen, with units", "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, plain(box()));
+  app::Sheet& sheet = open_sheet(hand, plain(box()));
   hand.viewport().setFocus();
   auto* entry = hand.viewport().findChild<QLineEdit*>("perspective-entry");
   REQUIRE(entry != nullptr);
-  sheet.tool().take(recorded::SheetUnit{"mm"});
+  sheet.tool.take(recorded::SheetUnit{"mm"});
   const std::string edge = std::ranges::find(sheet.drawing().strokes, StrokeRole::Edge, &PerspectiveStroke::role)->id;
   const PerspectiveStroke stroke = *find_stroke(sheet.drawing(), edge);
 
   hand.send_mouse(QEvent::MouseMove, on_screen(hand, stroke.start()), Qt::NoButton, Qt::NoModifier);
   QTest::keyClick(&hand.viewport(), Qt::Key_K);
-  CHECK(sheet.picks() == app::SheetInteraction::Pick::Point);
+  CHECK(sheet.picks == app::SheetPick::Point);
   hand.drag_pixels(on_screen(hand, stroke.start()), on_screen(hand, stroke.start()), Qt::LeftButton, Qt::NoModifier);
   REQUIRE(entry->isVisible());
   QTest::keyClicks(entry, "what");
@@ -164,7 +164,7 @@ TEST_CASE("coordinates and lengths are typed at the pen, with units", "[perspect
   CHECK_FALSE(sheet.drawing().known_point);
   hand.act("redo");
 
-  sheet.tool().select({edge});
+  sheet.tool.select({edge});
   hand.act("known-length");
   REQUIRE(entry->isVisible());
   QTest::keyClicks(entry, "12 cm");
@@ -184,7 +184,7 @@ TEST_CASE("coordinates and lengths are typed at the pen, with units", "[perspect
 
 TEST_CASE("mode, flip and unit are set in the tool's panel, each an undo step", "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, plain(box()));
+  app::Sheet& sheet = open_sheet(hand, plain(box()));
   const Vec3 x_before = sheet.result()->camera.rotation.col(0);
   auto* flip = hand.window().findChild<QCheckBox*>("perspective-flip");
   REQUIRE(flip != nullptr);
@@ -236,7 +236,7 @@ PerspectiveDrawing joined_boxes() {
 TEST_CASE("other sets of faces are seen under the pointer and taken by a click, which is one step back",
           "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, joined_boxes());
+  app::Sheet& sheet = open_sheet(hand, joined_boxes());
   REQUIRE(sheet.result() != nullptr);
   REQUIRE(!sheet.result()->alternatives.empty());
   auto* first = hand.viewport().findChild<QToolButton*>("perspective-alternative-1");
@@ -275,10 +275,10 @@ TEST_CASE("other sets of faces are seen under the pointer and taken by a click, 
 
 TEST_CASE("undo after each reconstruction restores the drawing byte for byte", "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, plain(bottle()));
+  app::Sheet& sheet = open_sheet(hand, plain(bottle()));
   const auto bytes = [&] { return write_perspective_svg(sheet.drawing()); };
   std::vector<std::string> states = {bytes()};
-  PerspectiveTool& tool = sheet.tool();
+  PerspectiveTool& tool = sheet.tool;
   const std::vector<std::function<void()>> edits = {
       [&] {
         tool.take(recorded::SheetDrag{sheet.drawing().strokes[8].id, 0, {7.25, -3.5}});
@@ -310,14 +310,14 @@ TEST_CASE("undo after each reconstruction restores the drawing byte for byte", "
 
 TEST_CASE("dragging an end updates the solid meanwhile, and Escape leaves everything as it was", "[perspective-pen]") {
   StudioFixture hand;
-  app::SheetInteraction& sheet = open_sheet(hand, plain(bottle()));
+  app::Sheet& sheet = open_sheet(hand, plain(bottle()));
   hand.act("select");
   hand.viewport().setFocus();
   const std::string before = write_perspective_svg(sheet.drawing());
   const auto volume = [&] { return sheet.result()->network.vertices.front(); };
   const Vec3 start = volume();
   const std::string id = sheet.result()->network.curves.front().id;
-  sheet.tool().select({id});
+  sheet.tool.select({id});
   hand.picture();
   const Vec2 end = find_stroke(sheet.drawing(), id)->start();
   const QPointF from = on_screen(hand, end);

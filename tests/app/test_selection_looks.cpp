@@ -106,7 +106,7 @@ TEST_CASE("a selected face stands out from the faces around it, in light and in 
       CAPTURE(view, face, luminance_of(hand, before, face, view), luminance_of(hand, picture, face, view));
       const double plain = luminance_of(hand, before, face, view);
       const double filled = contrast(plain, luminance_of(hand, picture, face, view));
-      // Nothing is three times darker than a deep shadow: there the bright rim tells.
+      // Nothing is three times darker than a deep shadow: there the bright rim shows it.
       const Vec3 rim =
           (cage(hand).positions[cage(hand).face(face)[0]] + cage(hand).positions[cage(hand).face(face)[1]]) / 2;
       const auto [darkest, brightest] = range_around(picture, hand.viewport().model_to_widget(rim, view), 3);

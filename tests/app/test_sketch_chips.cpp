@@ -89,7 +89,7 @@ TEST_CASE("entries name parts by any of their strokes, and keep what they say be
   CHECK(to_text(app::with_hold(text, joint, Hold::Apart)) == "leg,foot");
 }
 
-TEST_CASE("a pair that the solid couldn't join is told, of finished solids alone", "[sketch-chips]") {
+TEST_CASE("a pair that the solid couldn't join is reported, of finished solids alone", "[sketch-chips]") {
   InflateResult result = two_parts();
   const AttachText text = read_attach_text("body,ear");
   CHECK(app::joints_of(result, text, false).at(0).held);
@@ -394,7 +394,7 @@ TEST_CASE("the right button draws behind what is there; with the select tool it 
     const auto at = [&](const Vec2& place) { return hand.viewport().sketch_to_widget(place); };
     hand.send_mouse(QEvent::MouseButtonPress, at(places.front()), button, modifiers);
     for (const Vec2& place : places) hand.send_mouse(QEvent::MouseMove, at(place), button, modifiers);
-    if (const auto ink = hand.sketch().ink()) CHECK(ink->pale);
+    if (const auto ink = hand.sketch().state().ink) CHECK(ink->pale);
     hand.send_mouse(QEvent::MouseButtonRelease, at(places.back()), button, modifiers);
   };
   draw_with(Qt::RightButton, Qt::NoModifier);

@@ -23,17 +23,17 @@
 namespace croquis::test {
 namespace {
 
-using app::NetworkInteraction;
+using app::DrawnNetwork;
 using app::PerspectiveView;
 using app::SurfaceDrawingTool;
 
 SurfaceDrawingTool& tool_of(StudioFixture& hand) { return hand.window().tool<SurfaceDrawingTool>(); }
-NetworkInteraction& network_of(StudioFixture& hand) { return tool_of(hand).network(); }
+DrawnNetwork& network_of(StudioFixture& hand) { return tool_of(hand).network(); }
 const AttributeNetwork& drawn(StudioFixture& hand) { return network_of(hand).network(); }
 
 const SurfaceResult& result_of(StudioFixture& hand) {
-  REQUIRE(network_of(hand).shown());
-  return *network_of(hand).shown().found;
+  REQUIRE(network_of(hand).shown);
+  return *network_of(hand).shown.found;
 }
 
 /// Pictures for people who want to look: CROQUIS_SHOTS names their folder.
@@ -55,7 +55,7 @@ QPoint on_screen(StudioFixture& hand, const QPointF& widget) { return hand.viewp
 
 QPointF seen(StudioFixture& hand, const Vec3& world) { return hand.viewport().model_to_widget(world, PerspectiveView); }
 
-/// A hand's way between two places of the screen: bent sideways, trembling by a pixel, and missing both ends.
+/// A hand's way between two places of the screen: bent sideways, shaking by a pixel, and missing both ends.
 std::vector<QPoint> way_of_hand(StudioFixture& hand, const QPointF& from, const QPointF& to, double bend,
                                 Random& random) {
   constexpr int events = 60;
@@ -102,7 +102,7 @@ void box_select(StudioFixture& hand, XPointer& pointer) {
   std::vector<QPoint> way;
   for (int k = 0; k <= 20; ++k) way.push_back(low + (high - low) * k / 20);
   pointer.drag(way, 8);
-  REQUIRE(hand.wait_for([&] { return !network_of(hand).tool().selected().curves.empty(); }));
+  REQUIRE(hand.wait_for([&] { return !network_of(hand).tool.selected().curves.empty(); }));
 }
 
 /// The middle of the first patch as it would be without points, in the world.
@@ -124,7 +124,7 @@ TEST_CASE(
   shoot(hand, "1-curves");
 
   box_select(hand, pointer);
-  CHECK(network_of(hand).tool().selected().curves.size() == 3);
+  CHECK(network_of(hand).tool.selected().curves.size() == 3);
   hand.picture();
   CHECK(hand.viewport().findChild<QToolButton*>("patch-chip")->isVisible());
   shoot(hand, "2-selected");
@@ -139,7 +139,7 @@ TEST_CASE(
   std::vector<QPoint> pull;
   for (int k = 0; k <= 30; ++k) pull.push_back(on_screen(hand, middle - QPointF(0, 3 * k)));
   const std::size_t steps = hand.studio().session().undo_labels().size();
-  stroke(hand, pointer, pull, [&] { return !drawn(hand).points.empty() && !network_of(hand).down(); });
+  stroke(hand, pointer, pull, [&] { return !drawn(hand).points.empty() && !tool_of(hand).down(); });
   REQUIRE(drawn(hand).points.size() == 1);
   CHECK(hand.studio().session().undo_labels().size() == steps + 1);
   CHECK(drawn(hand).points[0].point.z() > 20);
@@ -174,7 +174,7 @@ TEST_CASE(
   CHECK(QFile(path).size() > 1000);
 }
 
-TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't closed is told where it is open",
+TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't closed says where it is open",
           "[surface]") {
   StudioFixture hand;
   XPointer pointer;
@@ -184,7 +184,7 @@ TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't clos
   QTest::keyClick(&hand.viewport(), Qt::Key_P);
   CHECK(hand.viewport().mode() == "patch");
   hand.send_mouse(QEvent::MouseMove, middle, Qt::NoButton, Qt::NoModifier);
-  CHECK(network_of(hand).tool().preview().loop);
+  CHECK(network_of(hand).tool.preview().loop);
   hand.drag_pixels(middle, middle, Qt::LeftButton, Qt::NoModifier);
   hand.settle();
   CHECK(drawn(hand).faces.size() == 1);
@@ -200,7 +200,7 @@ TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't clos
   shoot(hand, "7-gap");
 }
 
-TEST_CASE("the crashed car opens upright with all of its patches, and tells of the joins of its smooth curves",
+TEST_CASE("the crashed car opens upright with all of its patches, and names the joins of its smooth curves",
           "[surface]") {
   StudioFixture hand;
   open_network(hand, "car_crashed");
@@ -208,7 +208,7 @@ TEST_CASE("the crashed car opens upright with all of its patches, and tells of t
   CHECK(std::ranges::all_of(result.surface->faces, [](const SurfaceFace& face) { return face.surface != nullptr; }));
   CHECK(result.surface->faces.size() == 21);
   Vec3 low = Vec3::Constant(1e300), high = -low;
-  for (const Vec3& place : network_of(hand).shown().mesh->positions) {
+  for (const Vec3& place : network_of(hand).shown.mesh->positions) {
     low = low.cwiseMin(place);
     high = high.cwiseMax(place);
   }
@@ -218,7 +218,7 @@ TEST_CASE("the crashed car opens upright with all of its patches, and tells of t
   shoot(hand, "8-car");
   QTest::keyClick(&hand.viewport(), Qt::Key_J);
   hand.picture();
-  CHECK(network_of(hand).scene().numbers().size() == 17);
+  CHECK(network_of(hand).scene.numbers().size() == 17);
   shoot(hand, "9-jumps");
   QTest::keyClick(&hand.viewport(), Qt::Key_J);
   hand.act("zebra");
@@ -232,7 +232,7 @@ TEST_CASE("a point picked in a view is moved by its numbers in the panel, and it
   const Vec3 before = drawn(hand).points[0].point;
   const QPointF at = seen(hand, network_of(hand).to_world()(before));
   hand.drag_pixels(at, at, Qt::LeftButton, Qt::NoModifier);
-  REQUIRE(network_of(hand).tool().selected().points.size() == 1);
+  REQUIRE(network_of(hand).tool.selected().points.size() == 1);
   shoot(hand, "11-ring");
   auto* height = hand.window().findChild<QDoubleSpinBox*>("surface-point-z");
   REQUIRE(height->value() == Approx(before.z()));
@@ -272,7 +272,7 @@ TEST_CASE("while a point is dragged its patch follows, and Escape takes all back
   const Vec3 dragged = drawn(hand).points[0].point;
   CHECK((dragged - before).norm() > 0.01);
   const bool followed = hand.wait_for([&] {
-    const app::ShownSurface& shown = network_of(hand).shown();
+    const app::ShownSurface& shown = network_of(hand).shown;
     return shown && (shown.network().points[0].point - dragged).norm() < 1e-9;
   });
   CHECK(followed);
@@ -359,8 +359,8 @@ TEST_CASE("a patch that can't be made stays as a loop, the others are made, and 
   CHECK(chip->text().startsWith("1 patch can't be made"));
   shoot(hand, "13-broken");
   chip->click();
-  CHECK(!network_of(hand).tool().selected().empty());
-  CHECK(network_of(hand).scene().marks().size() >= 1);
+  CHECK(!network_of(hand).tool.selected().empty());
+  CHECK(network_of(hand).scene.marks().size() >= 1);
 }
 
 TEST_CASE("curves are taken from the edges of a mesh, to be worked on", "[surface]") {

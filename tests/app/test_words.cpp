@@ -37,7 +37,7 @@ QString label_text(StudioFixture& hand, const char* name) { return hand.window()
 void draw_triangle(StudioFixture& hand) {
   hand.act("new-surface");
   hand.settle();
-  app::NetworkInteraction& network = hand.window().tool<app::SurfaceDrawingTool>().network();
+  app::DrawnNetwork& network = hand.window().tool<app::SurfaceDrawingTool>().network();
   const std::array<Vec3, 3> corners{Vec3(-100, -60, 0), Vec3(100, -60, 0), Vec3(0, 80, 0)};
   for (std::size_t k = 0; k < 3; ++k) {
     recorded::SurfaceStroke stroke;
@@ -97,7 +97,7 @@ TEST_CASE("edits are listed in words, and nothing else of them is shown", "[word
   CHECK(hand.window().findChild<app::ParameterField*>("connectivity") == nullptr);
 }
 
-TEST_CASE("the history tells of parameters by their titles and values", "[words]") {
+TEST_CASE("the history names parameters by their titles and values", "[words]") {
   StudioFixture hand;
   hand.open_cage("mug");
   hand.act("show-smooth");
@@ -228,7 +228,7 @@ TEST_CASE("while one draws in perspective, keys of groups mean the same wherever
   hand.send_mouse(QEvent::MouseMove, solid, Qt::NoButton, {});
   hand.viewport().setFocus();
   QTest::keyClick(&hand.viewport(), Qt::Key_2);
-  const auto& group = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool().group();
+  const auto& group = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool.group();
   REQUIRE(group);
   CHECK(*group == StrokeGroup::ParallelY);
 }
@@ -263,7 +263,7 @@ TEST_CASE("words of panels aren't clipped in a small window", "[words]") {
 TEST_CASE("diameters of holes have the document's unit", "[words]") {
   StudioFixture hand;
   hand.act("new-perspective");
-  auto& tool = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool();
+  auto& tool = hand.window().tool<app::PerspectiveDrawingTool>().sheet().tool;
   tool.take(recorded::SheetStroke{{{300, 300}, {350, 320}, {420, 350}}, {}, StrokeRole::Edge, false, 1, {}});
   tool.take(recorded::SheetUnit{"cm"});
   open_scan(hand, ball_with_holes(2));

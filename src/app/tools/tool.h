@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/panels/object_names.h"
@@ -19,6 +22,7 @@
 #include "app/views/view_pane.h"
 #include "croquis/geometry/component_kind.h"
 #include "croquis/render/scene.h"
+#include "croquis/tools/pointer/pen.h"
 #include "croquis/tools/pointer/pointer_event.h"
 #include "croquis/tools/recording/recording.h"
 #include "croquis/tools/recording/step.h"
@@ -62,7 +66,7 @@ class ToolHost {
   /// Selects faces by the names of their sets. @throws Error (E_INPUT) when the object has no such set
   virtual void select_face_sets(NodeId node, const std::vector<std::string>& names) = 0;
 
-  virtual void tell(const QString& sentence) = 0;
+  virtual void say(const QString& sentence) = 0;  ///< below the views; empty: nothing more
   virtual void show_message(const Findings& findings) = 0;
 
   /// Waits until what is shown is finished, as replays do. @throws Error (E_LIMIT)
@@ -83,8 +87,8 @@ class ToolHost {
   /// Panels, actions and the help line show what is there now.
   virtual void refresh() = 0;
 
-  /// What the tools offer for an object that is selected, in words and keys; of the first that offers something.
-  virtual QString offer_for(const WorkObject& object) const = 0;
+  /// What the tools offer for the active object, in words and keys; of the first that offers something.
+  virtual QString offer() const = 0;
 };
 
 class ActionList;
@@ -116,13 +120,84 @@ enum class EditCommand { SelectAll, SelectNone, Delete, Accept, Cancel };
 /// opened.
 enum class Change { Document, Result, Scenes, Opened };
 
-/// What a view is while a tool has it.
+/// What a view is for a tool.
 struct ViewUse {
+  bool works = false;          ///< pointer events of the view are for this tool; of several, for the first one
+  bool on_drawings = true;     ///< also where a tool has something of its own
+  QStringList menu = {};       ///< names of the actions around the pointer, clockwise from above; none: no marking menu
+  render::Bounds bounds = {};  ///< of what the tool adds to a view that is its own
   Qt::CursorShape cursor = Qt::ArrowCursor;
   bool every_move = false;  ///< the tool takes moves that came late, too
   bool paper = false;       ///< drawn as a sheet of paper
   QString title = {};
 };
+
+/// What a tool says to people.
+struct ToolWords {
+  QString help = {};     ///< the next action, in words and keys
+  QString tooltip = {};  ///< about what is under the pointer
+  QString status = {};   ///< about the active object, at the end of the help line
+};
+
+/// How a tool stands.
+struct ToolState {
+  bool has_selection = false;
+  bool picks_elements = false;  ///< what the pointer picks are elements of a mesh
+  bool busy = false;            ///< something that it shows is still being made
+  std::optional<Ink> ink = {};
+};
+
+/// Elements of the active object's mesh, to be selected in the mode for them.
+struct PickedElements {
+  ComponentKind kind = ComponentKind::Vertex;
+  std::vector<Index> elements;
+};
+
+/// Parts of a node, as the list of objects names them.
+struct ChosenParts {
+  NodeId node = 0;
+  std::vector<std::string> parts;
+};
+
+/// Faces of the active object that were selected by the names of their sets.
+using ChosenFaceSets = std::vector<const FaceSet*>;
+
+/// What was chosen elsewhere, in a list or by another tool, and is to be shown: a step of a chain, which is selected
+/// and whose tool opens; what a finding is about; elements; parts; sets of faces.
+using Target = std::variant<const Node*, NodeFinding, PickedElements, ChosenParts, ChosenFaceSets>;
+
+/// Keys over the views of a tool, before they are a menu's shortcuts: Qt::Key, without modifiers.
+struct ToolKeys {
+  std::map<int, std::function<void()>> pressed = {};
+  int marking_menu = 0;  ///< opens the marking menu while it is held, over a view that has one; 0: none
+};
+
+/// Pen and mouse of a tool. While a stroke is under way it watches: a pen may vanish without an event.
+class WatchedPen {
+ public:
+  using Feed = std::function<void(const std::vector<PenStep>& steps)>;
+
+  /// @param feed takes the steps of an event, as long as there are any
+  explicit WatchedPen(Feed feed);
+
+  void handle(const PointerEvent& event);
+  void cancel() { take(input_.cancel()); }
+  bool down() const { return input_.down(); }
+  PenInput& input() { return input_; }
+
+ private:
+  void take(const std::vector<PenStep>& steps);
+
+  Feed feed_;
+  PenInput input_;
+  QTimer watch_;
+  double last_time_ = 0;
+  QElapsedTimer since_event_;
+};
+
+/// All views, as Tool::changed names them, and none of them: the ink over them alone.
+constexpr int every_view = -1;
+constexpr int ink_alone = -2;
 
 /// A way of working, with all that the window has of it: nothing else in the window knows it by name. One folder in
 /// app/tools and one line in all_tools.cpp each. Everything has a default: a tool says what it has.
@@ -130,115 +205,86 @@ class Tool : public QObject {
   Q_OBJECT
 
  public:
-  /// @param help_topic the heading of the manual that is about it; none for the help in general
-  explicit Tool(ToolHost& host, QString help_topic = {}) : host_(host), help_topic_(std::move(help_topic)) {}
+  const QString help_topic;  ///< the heading of the manual that is about it; none for the help in general
+  ToolKeys keys;
 
-  const QString& help_topic() const { return help_topic_; }
-
-  // ---- What people can do
+  explicit Tool(ToolHost& host, const QString& about = {});
 
   /// Its menus, keys and buttons. Called once, in the order of the tools.
   virtual void make_actions(ActionList&) {}
   virtual void make_panels(PanelDocks&) {}
 
+  /// What replays can do with it, clicks and boxes too, and what they can ask of it. Called once.
+  virtual void make_replays(Replays&) {}
+
   /// After the document, a result, the selection or a mode has changed: which actions are enabled and checked, what
   /// panels show.
   virtual void refresh() {}
 
-  /// Names of the actions around the pointer, clockwise from above; none: no marking menu in that view.
-  virtual QStringList marking_menu(int) const { return {}; }
-
-  // ---- The hand
-
   virtual void set_mode(const QString& mode) { mode_ = mode; }
-
-  /// Pointer events of that view are for this tool; of several, for the first one.
-  virtual bool works_in(int) const { return false; }
-  virtual void take(const PointerEvent&) {}                      ///< its place in pixels of its view
-  virtual bool down() const { return false; }                    ///< a gesture is under way
-  virtual bool abandon() { return false; }                       ///< gives it up. @return false when there was none
-  virtual QString help() const { return {}; }                    ///< the next action, in words and keys
-  virtual QString offer(const WorkObject&) const { return {}; }  ///< what it could do with a selected object
-  virtual QString tooltip() const { return {}; }                 ///< about what is under the pointer
-
-  virtual bool command(EditCommand) { return false; }  ///< @return false: it isn't this tool's
-  virtual bool has_selection() const { return false; }
-  virtual void add_all_to(Selection&) const {}  ///< what Select all selects beside meshes
-  virtual bool pick(ComponentKind, const std::vector<Index>&) { return false; }  ///< see ToolHost::pick
-  virtual bool picks_elements() const { return false; }  ///< what the pointer picks are elements of a mesh
-
-  /// A key over one of its views, before it is a menu's shortcut. @param key Qt::Key, without modifiers
-  bool takes_key(int key) const { return keys_.contains(key); }
-  void press_key(int key) { keys_.at(key)(); }
-
-  /// The key that opens the marking menu while it is held, over a view that has one; 0: none.
-  int marking_key() const { return marking_key_; }
-
-  // ---- The eye
-
-  virtual void adjust(ObjectScenes::Wanted&, int) const {}  ///< which surfaces a view shows
-  virtual void add_to(render::Scene&, int) {}
-  virtual std::optional<Ink> ink() const { return std::nullopt; }
-  virtual render::Bounds bounds_in(int) const { return {}; }  ///< of what it adds to a view that is its own
-  virtual std::optional<SelectionFrame> selection_frame(int) const { return std::nullopt; }
-  virtual ViewUse use_of(int) const { return {}; }  ///< also of a view that it doesn't work in
-  virtual void place_chips(ChipPlaces&) {}
-  virtual bool busy() const { return false; }  ///< something that it shows is still being made
-
-  // ---- The flow
-
   virtual void follow(Change) {}
 
-  /// A step of a chain was chosen, and is selected: the tool that works on such steps opens. @return false: another one
-  virtual bool open_step(const Node&) { return false; }
+  // ---- How it stands
+  virtual ViewUse use_of(int) const { return {}; }  ///< also of a view that it doesn't work in
+  virtual ToolWords words() const { return {}; }
+  virtual ToolState state() const { return {}; }
+  virtual QString offer() const { return {}; }  ///< what it could do with the active object
 
-  /// Faces of the active object were selected by the names of their sets.
-  virtual void chosen_by_name(const std::vector<const FaceSet*>&) {}
+  // ---- The pointer
+  virtual void take(const PointerEvent& event);  ///< its place in pixels of its view
+  bool down() const { return pen_.down(); }      ///< a gesture is under way
+  virtual bool abandon();                        ///< gives it up. @return false when there was none
 
-  /// About the active object, at the end of the help line.
-  virtual QString status() const { return {}; }
+  virtual bool command(EditCommand) { return false; }  ///< @return false: it isn't this tool's
+  virtual void add_all_to(Selection&) const {}         ///< what Select all selects beside meshes
+
+  /// @return false: it isn't this tool's. @throws Error
+  virtual bool show(const Target&) { return false; }
+
+  // ---- The views
+  virtual void adjust(ObjectScenes::Wanted&, int) const {}  ///< which surfaces a view shows
+  virtual void add_to(render::Scene&, int) {}
+  virtual std::optional<SelectionFrame> selection_frame(int) const { return std::nullopt; }
+  virtual void place_chips(ChipPlaces&) {}
 
   // ---- The lists
-
   /// What the list of objects shows below a node of an object's chain.
   virtual std::vector<ObjectRow> rows(const WorkObject&, NodeId) const { return {}; }
 
-  /// Rows with these parts of a node were chosen. @return false: they aren't this tool's. @throws Error
-  virtual bool choose_parts(NodeId, const std::vector<std::string>&) { return false; }
-
-  /// Which part of an object a finding is about; empty where that isn't known or needs no telling.
+  /// Which part of an object a finding is about; empty where that isn't known or goes without saying.
   virtual QString owner_of(const NodeFinding&) const { return {}; }
 
-  // ---- The memory
-
-  /// What replays can do with it, clicks and boxes too, and what they can ask of it. Called once.
-  virtual void make_replays(Replays&) {}
-
-  /// Shows what a finding is about. @return false: it isn't this tool's
-  virtual bool show_finding(const NodeFinding&) { return false; }
-
  signals:
-  void changed();  ///< what is drawn over the views
-  void changed_in(int view);
-  void inked();          ///< nothing but the ink
-  void state_changed();  ///< what help, actions or panels show
+  void changed(int view = every_view);  ///< what is drawn over the views, or over one
+  void state_changed();                 ///< what help, actions or panels show
   void committed(const croquis::recorded::Step& step);
-  void told(const QString& sentence);
 
  protected:
+  virtual void feed(const std::vector<PenStep>&) {}  ///< what one event became; never empty
+  virtual void hover(const PointerEvent&) {}         ///< no gesture is under way, or the pointer leaves the view
+
   ToolHost& host() const { return host_; }
   Studio& studio() const { return host_.studio(); }
-  const QString& mode() const { return mode_; }
-  void set_key(int key, std::function<void()> work) { keys_[key] = std::move(work); }
-  void set_marking_key(int key) { marking_key_ = key; }
+
+  QString mode_ = first_mode;
+  WatchedPen pen_;
+  bool drags_leave_views_ = false;  ///< a gesture goes on where the pointer leaves the views
 
  private:
   ToolHost& host_;
-  QString help_topic_;
-  std::map<int, std::function<void()>> keys_;
-  int marking_key_ = 0;
-  QString mode_ = first_mode;
 };
+
+/// Whether a step is a source of that type, or an operation that works on it.
+bool works_on(const Studio& studio, const Node& step, ValueType type);
+
+/// Shows the sketch view, if it isn't shown, beside the perspective view.
+void show_sketch_view(Viewport& views);
+
+/// What is selected with what is around it; nothing for an empty box. @param around the least size of what is shown
+std::optional<SelectionFrame> frame_around(render::Bounds selected, const glm::dvec3& around);
+
+/// Sentences of findings, one after the other, each with its full stop.
+QString sentences_of(const Findings& findings);
 
 /// The tools of a window, in the order of their menus and buttons; an event goes to the first that works in its view.
 std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host);

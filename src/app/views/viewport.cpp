@@ -79,9 +79,10 @@ void Viewport::connect_parts() {
 }
 
 void Viewport::connect_tool(Tool& tool) {
-  connect(&tool, &Tool::changed, this, &Viewport::redraw_all);
-  connect(&tool, &Tool::changed_in, this, &Viewport::redraw);
-  connect(&tool, &Tool::inked, this, [this] { update(); });
+  connect(&tool, &Tool::changed, this, [this](int view) {
+    if (view == every_view) return redraw_all();
+    view == ink_alone ? update() : redraw(view);
+  });
   connect(&tool, &Tool::committed, this, &Viewport::committed);
   connect(&tool, &Tool::state_changed, this, &Viewport::help_changed);
 }
@@ -93,12 +94,15 @@ void Viewport::set_tools(std::vector<Tool*> tools) {
 }
 
 Tool* Viewport::tool_in(int view) const {
-  const auto found = std::ranges::find_if(tools_, [&](const Tool* tool) { return tool->works_in(view); });
+  const auto found = std::ranges::find_if(tools_, [&](const Tool* tool) {
+    const ViewUse use = tool->use_of(view);
+    return use.works && (use.on_drawings || !is_drawn_on(view));
+  });
   return found == tools_.end() ? nullptr : *found;
 }
 
 bool Viewport::is_drawn_on(int view) const {
-  return std::ranges::any_of(tools_, [&](const Tool* tool) { return !tool->bounds_in(view).empty(); });
+  return std::ranges::any_of(tools_, [&](const Tool* tool) { return !tool->use_of(view).bounds.empty(); });
 }
 
 bool Viewport::is_paper(int view) const {
@@ -107,7 +111,7 @@ bool Viewport::is_paper(int view) const {
 
 std::optional<Ink> Viewport::ink() const {
   for (const Tool* tool : tools_) {
-    if (auto ink = tool->ink()) return ink;
+    if (auto ink = tool->state().ink) return ink;
   }
   return std::nullopt;
 }
@@ -213,7 +217,8 @@ bool Viewport::any_down() const {
 }
 
 bool Viewport::settled() const {
-  return !objects_.busy() && !uploading_ && std::ranges::none_of(tools_, [](const Tool* tool) { return tool->busy(); });
+  return !objects_.busy() && !uploading_ &&
+         std::ranges::none_of(tools_, [](const Tool* tool) { return tool->state().busy; });
 }
 
 void Viewport::export_picture(OffscreenPictures& pictures, const QString& path) const {

@@ -77,7 +77,7 @@ render::Bounds Viewport::bounds_in(int view) const {
   render::Bounds bounds;
   for (const Tool* tool : tools_) {
     tool->adjust(wanted, view);
-    bounds.add(tool->bounds_in(view));
+    bounds.add(tool->use_of(view).bounds);
   }
   bounds.add(render::bounds_of(objects_.scene(wanted)));
   return bounds;

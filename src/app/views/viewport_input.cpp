@@ -32,11 +32,11 @@ bool is_modifier(int key) {
 bool Viewport::take_key(QKeyEvent& event) {
   Tool* tool = event.modifiers() == Qt::NoModifier ? tool_in(under_pointer_) : nullptr;
   // While one draws, the sheet's keys mean the same wherever the pointer rests.
-  const bool is_taken = tool != nullptr && tool->takes_key(event.key());
+  const bool is_taken = tool != nullptr && tool->keys.pressed.contains(event.key());
   if (!is_taken && event.modifiers() == Qt::NoModifier && mode_ == first_mode && layout_.pane(SketchView).visible())
     tool = tool_in(SketchView);
-  if (tool == nullptr || !tool->takes_key(event.key())) return false;
-  if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) tool->press_key(event.key());
+  if (tool == nullptr || !tool->keys.pressed.contains(event.key())) return false;
+  if (event.type() == QEvent::KeyPress && !event.isAutoRepeat()) tool->keys.pressed.at(event.key())();
   event.accept();
   return true;
 }
@@ -51,7 +51,7 @@ bool Viewport::take_marking_key(const QKeyEvent& event) {
   }
   const Tool* tool = event.modifiers() == Qt::NoModifier ? tool_in(under_pointer_) : nullptr;
   const bool goes_down = event.type() == QEvent::ShortcutOverride || event.type() == QEvent::KeyPress;
-  if (!goes_down || tool == nullptr || tool->marking_key() != event.key() || any_down()) return false;
+  if (!goes_down || tool == nullptr || tool->keys.marking_menu != event.key() || any_down()) return false;
   if (event.type() == QEvent::KeyPress && !event.isAutoRepeat() && !marking_menu_.is_open()) {
     open_marking_menu(pointer_at_);
     marking_by_key_ = true;
@@ -181,7 +181,7 @@ void Viewport::take_in_time(PointerEvent event, const QPointF& place) {
   Tool* tool = navigate(event) ? nullptr : tool_in(event.view);
   if (tool != nullptr) tool->take(event);
   if (!event.buttons.any() && !any_down()) grabbed_ = -1;
-  if (!any_down() && !leaving) show_tooltip(tool == nullptr ? QString() : tool->tooltip(), place);
+  if (!any_down() && !leaving) show_tooltip(tool == nullptr ? QString() : tool->words().tooltip, place);
 }
 
 /// About what is under the pointer, until it leaves that.
@@ -217,7 +217,7 @@ bool Viewport::navigate(const PointerEvent& event) {
 
 void Viewport::open_marking_menu(const QPointF& place) {
   const Tool* tool = tool_in(under_pointer_);
-  const QStringList sectors = tool == nullptr ? QStringList() : tool->marking_menu(under_pointer_);
+  const QStringList sectors = tool == nullptr ? QStringList() : tool->use_of(under_pointer_).menu;
   for (std::size_t i = 0; i < MarkingMenu::places; ++i) {
     const QString name = sectors.value(static_cast<int>(i));
     marking_menu_.set_action(i, name.isEmpty() ? nullptr : window()->findChild<QAction*>(name));
@@ -240,7 +240,7 @@ bool Viewport::take_marking(const PointerEvent& event, const QPointF& place) {
     return true;
   }
   const Tool* tool = tool_in(event.view);
-  const QStringList sectors = tool == nullptr ? QStringList() : tool->marking_menu(event.view);
+  const QStringList sectors = tool == nullptr ? QStringList() : tool->use_of(event.view).menu;
   const bool alone = !event.modifiers.alt && !event.modifiers.super;
   const bool by_mouse = event.device == PointerEvent::Device::Mouse && event.buttons.right;
   const bool by_pen = is_pen(event.device) && event.buttons.barrel && layout_.pane(event.view).flat() &&
@@ -284,7 +284,7 @@ bool Viewport::drag_border(const PointerEvent& event, const QPointF& place) {
 
 QString Viewport::help_topic() const {
   const Tool* tool = tool_in(under_pointer_);
-  return tool == nullptr ? QString() : tool->help_topic();
+  return tool == nullptr ? QString() : tool->help_topic;
 }
 
 QString Viewport::help() const {
@@ -294,12 +294,12 @@ QString Viewport::help() const {
   if (navigation_.alt_swallowed()) {
     return tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");
   }
-  if (const Tool* tool = tool_in(under_pointer_)) return tool->help();
+  if (const Tool* tool = tool_in(under_pointer_)) return tool->words().help;
   const Tool* elsewhere = nullptr;
   for (const int view : layout_.shown()) {
     if (elsewhere == nullptr) elsewhere = tool_in(view);
   }
-  return elsewhere == nullptr ? QString() : elsewhere->help();
+  return elsewhere == nullptr ? QString() : elsewhere->words().help;
 }
 
 }  // namespace croquis::app

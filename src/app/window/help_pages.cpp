@@ -114,7 +114,7 @@ void MainWindow::make_help_actions() {
   menu->addSeparator();
   add("help-diagnostics", tr("&Copy diagnostics"), {}, [this] {
     QApplication::clipboard()->setText(diagnostics());
-    tell(tr("Version, graphics and what is open were copied: paste them where you ask"));
+    say(tr("Version, graphics and what is open were copied: paste them where you ask"));
   });
   add("help-about", tr("&About Croquis"), {}, [this] { show_about(*this); });
 }

@@ -93,12 +93,12 @@ void MainWindow::connect_studio() {
 
 void MainWindow::connect_files() {
   connect(&files_, &ProjectFiles::path_changed, this, &MainWindow::update_title);
-  connect(&files_.keeper(), &WorkKeeper::failed, this, &MainWindow::tell);
+  connect(&files_.keeper(), &WorkKeeper::failed, this, &MainWindow::say);
   connect(&files_.reader(), &FileReader::busy_changed, this, &MainWindow::show_progress);
   connect(&files_.step_export(), &StepExport::busy_changed, this, &MainWindow::show_progress);
   connect(&files_.step_export(), &StepExport::finished, this, [this](const QString& path) { say_written(path); });
   connect(&files_.step_export(), &StepExport::failed, this, [this](const Findings& findings) {
-    if (findings.empty()) return tell(tr("Cancelled."));
+    if (findings.empty()) return say(tr("Cancelled."));
     last_findings_ = findings;
     show_message(findings);
   });
@@ -113,7 +113,7 @@ void MainWindow::connect_files() {
   });
   connect(&files_, &ProjectFiles::open_failed, this, [this](const QString& path, const Findings& findings) {
     last_findings_ = findings;
-    if (findings.empty()) return tell(tr("Cancelled."));
+    if (findings.empty()) return say(tr("Cancelled."));
     report_opening(path, findings);
   });
   files_.keeper().set_items([this] { return viewport_->objects().surfaces(); });
@@ -169,7 +169,6 @@ void MainWindow::make_tools() {
   }
   for (Tool* tool : tools) {
     tool->make_panels(*panels_);
-    connect(tool, &Tool::told, this, &MainWindow::tell);
     connect(tool, &Tool::state_changed, this, &MainWindow::update_panels);
   }
   viewport_->set_tools(std::move(tools));
@@ -182,16 +181,16 @@ void MainWindow::set_mode(const QString& mode) { viewport_->set_mode(mode); }
 void MainWindow::add_status_widget(QWidget& widget) { statusBar()->insertPermanentWidget(1, &widget); }
 
 bool MainWindow::pick(ComponentKind kind, const std::vector<Index>& elements) {
-  return std::ranges::any_of(tools_, [&](const auto& tool) { return tool->pick(kind, elements); });
+  return std::ranges::any_of(tools_, [&](const auto& tool) { return tool->show(PickedElements{kind, elements}); });
 }
 
 bool MainWindow::picks_elements() const {
-  return std::ranges::any_of(tools_, [](const auto& tool) { return tool->picks_elements(); });
+  return std::ranges::any_of(tools_, [](const auto& tool) { return tool->state().picks_elements; });
 }
 
-QString MainWindow::offer_for(const WorkObject& object) const {
+QString MainWindow::offer() const {
   for (const auto& tool : tools_) {
-    if (const QString offer = tool->offer(object); !offer.isEmpty()) return offer;
+    if (const QString offer = tool->offer(); !offer.isEmpty()) return offer;
   }
   return {};
 }
@@ -254,7 +253,7 @@ bool MainWindow::attempt(const std::function<void()>& work) {
     last_findings_ = error.findings();
     show_message(error.findings());
   } catch (const Cancelled&) {
-    tell(tr("Cancelled."));
+    say(tr("Cancelled."));
   }
   return false;
 }

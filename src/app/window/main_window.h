@@ -103,11 +103,11 @@ class MainWindow : public QMainWindow, public ToolHost {
   void add_status_widget(QWidget& widget) override;
   bool pick(ComponentKind kind, const std::vector<Index>& elements) override;
   bool picks_elements() const override;
-  void tell(const QString& sentence) override;  ///< below the views
+  void say(const QString& sentence) override;
   void show_message(const Findings& findings) override { show_message(findings, {}); }
   void record(const recorded::Step& step) override;
   void refresh() override { update_panels(); }
-  QString offer_for(const WorkObject& object) const override;
+  QString offer() const override;
 
   /// Nothing that the window shows is still being made.
   bool settled() const;

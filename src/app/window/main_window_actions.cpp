@@ -339,7 +339,7 @@ bool MainWindow::save_to(const QString& path) {
   record(recorded::File{"save", QFileInfo(named).absoluteFilePath().toStdString()});
   folder_ = QFileInfo(named).absolutePath();
   const QString saved = tr("%1 has been saved").arg(QFileInfo(named).fileName());
-  tell(aside.isEmpty() ? saved : tr("%1; the damaged one is kept as %2").arg(saved, QFileInfo(aside).fileName()));
+  say(aside.isEmpty() ? saved : tr("%1; the damaged one is kept as %2").arg(saved, QFileInfo(aside).fileName()));
   update_panels();
   return true;
 }
@@ -444,7 +444,7 @@ void MainWindow::ask_export_result(const OperationDescription& operation) {
 }
 
 void MainWindow::ask_export_step() {
-  if (const std::string why = why_no_step(); !why.empty()) return tell(QString::fromStdString(why));
+  if (const std::string why = why_no_step(); !why.empty()) return say(QString::fromStdString(why));
   const QString path = asked_path(tr("Export STEP"), ".step", tr("STEP (*.step *.stp)"));
   if (!path.isEmpty()) attempt([&] { export_step(studio_, path, files_.step_export()); });
 }

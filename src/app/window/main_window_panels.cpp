@@ -84,7 +84,9 @@ void MainWindow::connect_panels() {
           [this](const std::vector<NodeId>& nodes) { choose_nodes(with_groups(studio_, nodes)); });
   connect(objects_, &ObjectList::step_chosen, this, &MainWindow::choose_step);
   connect(objects_, &ObjectList::parts_chosen, this, [this](NodeId node, const std::vector<std::string>& parts) {
-    attempt([&] { std::ranges::any_of(tools_, [&](const auto& tool) { return tool->choose_parts(node, parts); }); });
+    attempt([&] {
+      std::ranges::any_of(tools_, [&](const auto& tool) { return tool->show(ChosenParts{node, parts}); });
+    });
   });
   connect(objects_, &ObjectList::step_enabled, this, [this](NodeId step, bool enabled) {
     attempt([&] { enable_step(studio_, step, enabled); });
@@ -119,7 +121,7 @@ void MainWindow::update_panels() {
   help_->show_status(status());
   action("undo")->setEnabled(session.can_undo());
   action("redo")->setEnabled(session.can_redo());
-  const bool has_selection = std::ranges::any_of(tools_, [](const auto& tool) { return tool->has_selection(); });
+  const bool has_selection = std::ranges::any_of(tools_, [](const auto& tool) { return tool->state().has_selection; });
   action("delete")->setEnabled(!session.selection().empty() || has_selection);
   const bool shown = object != nullptr && object->shown() != nullptr;
   for (const char* name : {"export-solid", "export-visible", "export-all"}) action(name)->setEnabled(shown);
@@ -136,7 +138,7 @@ void MainWindow::update_panels() {
 
 QString MainWindow::status() const {
   for (const auto& tool : tools_) {
-    if (const QString status = tool->status(); !status.isEmpty()) return status;
+    if (const QString status = tool->words().status; !status.isEmpty()) return status;
   }
   return {};
 }
@@ -176,7 +178,7 @@ void MainWindow::choose_step(NodeId step) {
   if (node == nullptr) return;
   // The special ones come last in the list.
   for (const auto& tool : tools_ | std::views::reverse) {
-    if (tool->open_step(*node)) return;
+    if (tool->show(node)) return;
   }
 }
 
@@ -215,7 +217,7 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
   const bool is_source = object->is_source();
   studio_.set_active(object->node);
   studio_.session().select(std::move(selection));
-  for (const auto& tool : tools_) tool->chosen_by_name(chosen);
+  for (const auto& tool : tools_) tool->show(chosen);
   if (!is_source) return viewport_->redraw_all();
   pick(ComponentKind::Face, studio_.face_sets().selected(*studio_.active(), studio_.session().selection()));
 }
@@ -223,11 +225,11 @@ void MainWindow::select_face_sets(NodeId node, const std::vector<std::string>& n
 void MainWindow::show_finding(const NodeFinding& found) {
   if (found.node == 0) return show_opening_report(files_.path(), files_.warnings());
   for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
-    if ((*tool)->show_finding(found)) return;
+    if ((*tool)->show(found)) return;
   }
 }
 
-void MainWindow::tell(const QString& sentence) { help_->say(sentence); }
+void MainWindow::say(const QString& sentence) { help_->say(sentence); }
 
 void MainWindow::go_to_step(int steps) {
   Session& session = studio_.session();

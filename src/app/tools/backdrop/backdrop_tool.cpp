@@ -18,7 +18,7 @@
 
 #include "app/files/file_reader.h"
 #include "app/replay/replays.h"
-#include "app/views/render_color.h"
+#include "app/tools/scene_parts.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
@@ -40,24 +40,15 @@ constexpr double percent = 0.01;
 
 constexpr float corner_size = 9;  // logical pixels
 
-glm::dvec3 on_plane_of_views(const Vec2& place) { return {place.x(), place.y(), 0}; }
-
-std::array<Vec2, 4> corners_of(const BackdropArea& area) {
-  return {area.low, Vec2(area.high.x(), area.low.y()), area.high, Vec2(area.low.x(), area.high.y())};
-}
-
 /// The picture's border and its corners, which can be dragged.
 void add_frame(const Backdrop& backdrop, render::Scene& scene) {
-  render::LinePath border;
-  border.closed = true;
+  const BackdropArea area = area_of(backdrop);
+  const std::vector<Vec2> corners = corners_of_box(area.low, area.high);
   std::vector<render::Mark> marks;
-  for (const Vec2& corner : corners_of(area_of(backdrop))) {
-    border.points.push_back({on_plane_of_views(corner), 1, {}});
-    marks.push_back({on_plane_of_views(corner), render::MarkShape::Square, corner_size, to_color(colors::accent)});
-  }
-  scene.lines.emplace_back(
-      render::make_line_item({border}, {1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop}));
-  scene.marks.emplace_back(render::make_mark_item(marks));
+  for (const Vec2& corner : corners)
+    marks.push_back({on_plane(corner), render::MarkShape::Square, corner_size, to_color(colors::accent)});
+  const render::LineStyle style{1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop};
+  add_items(scene, {lines_of({path_of(corners, on_plane, true)}, style)}, {marks_of(marks)});
 }
 
 }  // namespace
@@ -82,7 +73,7 @@ render::PictureItemPtr PictureItems::item(const std::shared_ptr<const PictureFil
 }
 
 BackdropTool::BackdropTool(ToolHost& host) : Tool(host, "Pictures to trace"), editor_(host.studio().session()) {
-  connect(&items_, &PictureItems::ready, this, &Tool::changed);
+  connect(&items_, &PictureItems::ready, this, [this] { emit changed(); });
 }
 
 void BackdropTool::make_actions(ActionList& actions) {
@@ -100,7 +91,7 @@ void BackdropTool::make_actions(ActionList& actions) {
   add("fit-picture", tr("&Fit to the sheet or the strokes"), tr("Fit"), [this] { do_and_record(editor_.fit()); });
   actions
       .add(menu, "move-picture", tr("&Move and scale"), {},
-           [this] { host().set_mode(mode() == "move-picture" ? first_mode : QStringLiteral("move-picture")); })
+           [this] { host().set_mode(mode_ == "move-picture" ? first_mode : QStringLiteral("move-picture")); })
       ->setCheckable(true);
   host().action("move-picture")->setIconText(tr("Move"));
   add("remove-picture", tr("&Remove"), tr("Remove"), [this] { do_and_record(editor_.remove()); });
@@ -213,20 +204,13 @@ void BackdropTool::set_mode(const QString& mode) {
   emit state_changed();
 }
 
-void BackdropTool::take(const PointerEvent& event) {
-  for (const PenStep& step : pen_.handle(event))
+void BackdropTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps)
     do_and_record(editor_.handle(to_sketch(step, host().viewport().pane(SketchView).sketch_frame())));
 }
 
-bool BackdropTool::abandon() {
-  if (!pen_.down()) return false;
-  for (const PenStep& step : pen_.cancel())
-    editor_.handle(to_sketch(step, host().viewport().pane(SketchView).sketch_frame()));
-  return true;
-}
-
-QString BackdropTool::help() const {
-  return tr("Drag the picture to move it, a corner to scale it · D draws · Q selects");
+ToolWords BackdropTool::words() const {
+  return {tr("Drag the picture to move it, a corner to scale it · D draws · Q selects")};
 }
 
 /// Behind the solid that is seen through the camera of its drawing: what was traced lies over it.
@@ -249,18 +233,18 @@ void BackdropTool::add_to(render::Scene& scene, int view) {
   if (!backdrop->visible) return;
   const BackdropArea area = area_of(*backdrop);
   const Vec2 size = area.high - area.low;
-  scene.pictures.push_back({items_.item(backdrop->picture), on_plane_of_views(area.low), glm::dvec3(size.x(), 0, 0),
+  scene.pictures.push_back({items_.item(backdrop->picture), on_plane(area.low), glm::dvec3(size.x(), 0, 0),
                             glm::dvec3(0, size.y(), 0), backdrop->opacity});
 }
 
-render::Bounds BackdropTool::bounds_in(int view) const {
+ViewUse BackdropTool::use_of(int view) const {
+  ViewUse use{.works = view == SketchView && moves(), .cursor = Qt::SizeAllCursor};
   const auto backdrop = editor_.backdrop();
-  render::Bounds bounds;
-  if (view != SketchView || !backdrop || !backdrop->visible) return bounds;
+  if (view != SketchView || !backdrop || !backdrop->visible) return use;
   const BackdropArea area = area_of(*backdrop);
-  bounds.add(on_plane_of_views(area.low));
-  bounds.add(on_plane_of_views(area.high));
-  return bounds;
+  use.bounds.add(on_plane(area.low));
+  use.bounds.add(on_plane(area.high));
+  return use;
 }
 
 void BackdropTool::follow(Change change) {
@@ -272,7 +256,7 @@ void BackdropTool::follow(Change change) {
   shown_ = picture;
   Viewport& views = host().viewport();
   if (is_new && host().shows_views() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
-  if (mode() == "move-picture" && !picture) host().set_mode(first_mode);
+  if (mode_ == "move-picture" && !picture) host().set_mode(first_mode);
 }
 
 void BackdropTool::make_replays(Replays& replays) {

@@ -12,7 +12,6 @@
 #include "croquis/geometry/picture_file.h"
 #include "croquis/render/picture_item.h"
 #include "croquis/tools/backdrop/backdrop_editor.h"
-#include "croquis/tools/pointer/pen.h"
 
 class QDockWidget;
 
@@ -56,22 +55,20 @@ class BackdropTool final : public Tool {
   void refresh() override;
 
   void set_mode(const QString& mode) override;
-  bool works_in(int view) const override { return view == SketchView && moves(); }
-  void take(const PointerEvent& event) override;
-  bool down() const override { return pen_.down(); }
-  bool abandon() override;
-  QString help() const override;
+  ViewUse use_of(int view) const override;
+  ToolWords words() const override;
+  ToolState state() const override { return {.busy = items_.busy()}; }
 
   void add_to(render::Scene& scene, int view) override;
-  render::Bounds bounds_in(int view) const override;
-  ViewUse use_of(int) const override { return {Qt::SizeAllCursor}; }
-  bool busy() const override { return items_.busy(); }
 
   void follow(Change change) override;
   void make_replays(Replays& replays) override;
 
+ protected:
+  void feed(const std::vector<PenStep>& steps) override;
+
  private:
-  bool moves() const { return mode() == "move-picture" && editor_.backdrop() != nullptr; }
+  bool moves() const { return mode_ == "move-picture" && editor_.backdrop() != nullptr; }
   void do_and_record(Verdict verdict);
   void add_behind_solid(render::Scene& scene);
   void change(const QString& label, const std::function<void(Backdrop&)>& edit);
@@ -81,7 +78,6 @@ class BackdropTool final : public Tool {
 
   BackdropEditor editor_;
   PictureItems items_;
-  PenInput pen_;
   Panel* panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;

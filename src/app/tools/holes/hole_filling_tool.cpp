@@ -8,13 +8,10 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "app/panels/finding_elements.h"
 #include "app/replay/replays.h"
-#include "app/tools/holes/hole_panel.h"
-#include "app/tools/holes/hole_plan.h"
 #include "app/tools/holes/hole_table.h"
 #include "app/views/own_space.h"
 #include "app/views/viewport.h"
@@ -45,12 +42,22 @@ std::size_t count_open_holes(const WorkObject& object) {
       std::ranges::count_if(rows, [](const HoleRow& row) { return row.state != FillAction::Fill; }));
 }
 
-std::size_t count_patches(const WorkObject& object) {
-  std::set<Index> numbers;
-  for (const HoleRow& row : hole_rows(object.result.get())) {
-    if (row.patch && row.state == FillAction::Fill) numbers.insert(*row.patch);
+QString help_of(const ScanHoles& holes) {
+  const auto tr = [](const char* text) { return HoleFillingTool::tr(text); };
+  if (holes.node() == nullptr) return tr("O looks for the holes of this mesh");
+  if (holes.tool.preview().pull)
+    return tr("The patch goes through here · Shift moves it in and out · Escape gives it up");
+  if (holes.rows.empty()) return holes.shown ? tr("This mesh has no holes") : tr("Looking for holes …");
+  if (holes.selected().empty()) {
+    return tr("Click a hole to see its patch, double click to fill it · drag a box · Shift+F fills all inner ones");
   }
-  return numbers.size();
+  if (!open_of_selected(holes).empty()) {
+    return tr("Enter fills what is previewed · drag the patch to shape it · F frames · Shift adds, Ctrl takes away");
+  }
+  if (holes_in_state(holes, holes.selected(), FillAction::Failed).size() == holes.selected().size()) {
+    return tr("No method gave a valid patch here: try another method, a bulge or trimming · Delete leaves it open");
+  }
+  return tr("Delete opens it again · drag the patch to shape it · F frames · Ctrl+Z undoes");
 }
 
 /// The colours of patches with their confidence. As scales stand: much above.
@@ -67,120 +74,138 @@ Legend* make_confidence_legend(QWidget* views) {
                     HoleFillingTool::tr("Colours of patches by confidence"), std::move(rows));
 }
 
+/// One row for all patches, and in it one for each.
+std::vector<ObjectRow> rows_of_patches(const std::vector<FaceSet>& sets) {
+  const auto tr = [](const char* text) { return HoleFillingTool::tr(text); };
+  std::vector<ObjectRow> rows;
+  for (const FaceSet& set : sets) {
+    const auto count = qulonglong(set.faces.size());
+    const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
+    const QString tip = tr("Click to select these faces; F frames them");
+    const ObjectRow row{QString::fromStdString(set.name), info, tip, {set.name}, true, false, {}};
+    (rows.empty() ? rows : rows.front().rows).push_back(row);
+  }
+  return rows;
+}
+
 }  // namespace
 
 HoleFillingTool::HoleFillingTool(ToolHost& host)
     : Tool(host, "Meshes"),
-      holes_(
-          host.studio(), host.viewport().objects(),
-          [this](int view) { return this->host().viewport().own_frame_of(view); }, nullptr),
+      holes_(*this, host),
       pins_(&host.viewport()),
       legend_(make_confidence_legend(&host.viewport())) {
   host.studio().face_sets().set_holes(holes_of_patches);
-  connect(&holes_, &HoleInteraction::changed, this, &Tool::changed);
-  connect(&holes_, &HoleInteraction::committed, this, &Tool::committed);
-  connect(&holes_, &HoleInteraction::holes_changed, this, &Tool::state_changed);
-  connect(&holes_, &HoleInteraction::told, this, &Tool::told);
-}
-
-QAction* HoleFillingTool::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
-                              const QList<QKeySequence>& keys, std::function<void(HoleInteraction&)> work,
-                              bool records_itself) {
-  QAction* action = actions.add(
-      menu, name, text, keys, [this, work = std::move(work)] { work(holes_); },
-      records_itself ? Recorded::ByItself : Recorded::AsAction);
-  actions_ << action;
-  return action;
+  drags_leave_views_ = true;
 }
 
 void HoleFillingTool::make_actions(ActionList& actions) {
   QMenu* menu = actions.menu(tr("S&can"));
-  QAction* tool = actions.add_mode(menu, "holes", tr("&Holes"), "O", [this] { start(); });
+  QAction* tool = actions.add_mode(menu, "holes", tr("&Holes"), "O", [this] {
+    if (host().attempt([this] { start_filling(studio()); })) host().set_mode("holes");
+    host().refresh();
+  });
   tool->setToolTip(tr("Holes of a scan: list, preview, fill (O)"));
-  menu->addSeparator();
-  // Enter comes from the views and the list alone: lines of text need it themselves.
-  add(actions, menu, "fill-selected", tr("&Fill selected") + "\t" + tr("Enter"), {},
-      [](HoleInteraction& holes) { holes.fill_selected(); });
-  add(actions, menu, "reopen-selected", tr("&Reopen selected") + "\t" + tr("Del"), {},
-      [](HoleInteraction& holes) { holes.reopen_selected(); });
-  add(actions, menu, "bridge-holes", tr("&Bridge selected rims"), {QKeySequence("B")},
-      [](HoleInteraction& holes) { holes.bridge_selected(); });
-  menu->addSeparator();
-  add(actions, menu, "fill-inner", tr("Fill all &inner"), {QKeySequence("Shift+F")},
-      [](HoleInteraction& holes) { holes.fill_all("inner"); });
-  add(actions, menu, "fill-all-but-largest", tr("Fill all but the &largest"), {QKeySequence("Ctrl+Shift+F")},
-      [](HoleInteraction& holes) { holes.fill_all("all-but-largest"); });
-  add(actions, menu, "fill-all", tr("Fill &all, borders too"), {},
-      [](HoleInteraction& holes) { holes.fill_all("all"); });
-  add(actions, menu, "reopen-all", tr("Reopen all"), {}, [](HoleInteraction& holes) { holes.fill_all("none"); });
-  menu->addSeparator();
-  add(actions, menu, "clear-handles", tr("&Clear handles of patches"), {},
-      [](HoleInteraction& holes) { holes.clear_handles(); });
-  for (const auto& [way, text] : {std::pair{"auto", tr("Method: &automatic")},
-                                  {"rbf", tr("Method: &continue the surface")},
-                                  {"smooth", tr("Method: continue its &slope")},
-                                  {"flat", tr("Method: fla&t")}}) {
-    add(
-        actions, menu, QString("way-") + way, text, {},
-        [name = std::string(way)](HoleInteraction& holes) { holes.set_way({.fairness = name}); }, true);
-  }
-  menu->addSeparator();
+  actions_ = add_hole_actions(holes_, actions, menu);
   menu->addAction(actions.find("freeze"));
   QAction* tint = actions.add(menu, "tint-patches", tr("Patches by c&onfidence"), {QKeySequence("T")}, [this] {
-    tinted_ = host().action("tint-patches")->isChecked();
+    holes_.tinted = host().action("tint-patches")->isChecked();
     show_patch_look();
   });
   tint->setCheckable(true);
   // What was filled is hidden once it is frozen.
   connect(actions.find("freeze"), &QAction::triggered, this, [this] {
-    if (holes_.active() && filling_node(studio()) == nullptr) host().set_mode(select_mode);
+    if (holes_.active && holes_.node() == nullptr) host().set_mode(select_mode);
   });
 }
 
 void HoleFillingTool::make_panels(PanelDocks& panels) {
   panels_ = &panels;
-  panel_ = new HolePanel(studio(), holes_, [this](const QString& name) { return host().action(name); });
+  panel_ = make_hole_panel(holes_);
   QScrollArea* scroll = scrolled(panel_);
   scroll->setMinimumWidth(panel_->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   dock_ = panels.add(tr("Holes"), scroll, "holes");
   panels.tabify("attributes", dock_);
   panels.set_useful(dock_, false);
-  connect(panel_, &HolePanel::frame_wanted, this, &HoleFillingTool::frame_holes);
-  connect(&panel_->table(), &HoleTable::accepted, host().action("fill-selected"), &QAction::trigger);
 }
 
-void HoleFillingTool::start() {
-  if (host().attempt([this] { start_filling(studio()); })) host().set_mode("holes");
-  host().refresh();
+void HoleFillingTool::refresh() {
+  refresh_hole_actions(holes_, actions_);
+  const bool was_shown = !dock_->isHidden();
+  panels_->set_useful(dock_, holes_.works());
+  const bool appears = !was_shown && !dock_->isHidden();
+  if (appears) dock_->raise();
+  if (appears) panels_->give_room_once(dock_, wanted_width);
+  panel_->follow();
 }
 
 void HoleFillingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
-  holes_.set_active(mode == "holes");
+  const bool was_active = std::exchange(holes_.active, mode == "holes");
+  if (holes_.active != was_active) holes_.follow_selection();
   show_patch_look();
 }
 
+void HoleFillingTool::follow(Change change) {
+  if (change == Change::Document || change == Change::Result) holes_.follow();
+}
+
+void HoleFillingTool::open() {
+  if (!holes_.active) host().action("holes")->trigger();
+}
+
 void HoleFillingTool::show_patch_look() {
-  host().viewport().objects().set_patch_look(tinted_           ? PatchLook::Confidence
-                                             : holes_.active() ? PatchLook::Distinct
-                                                               : PatchLook::Plain);
+  host().viewport().objects().set_patch_look(holes_.tinted   ? PatchLook::Confidence
+                                             : holes_.active ? PatchLook::Distinct
+                                                             : PatchLook::Plain);
 }
 
-void HoleFillingTool::take(const PointerEvent& event) {
-  if (event.action == PointerEvent::Action::Leave) return holes_.leave();
-  holes_.take(event);
+// ---- How it stands
+
+ToolWords HoleFillingTool::words() const { return {help_of(holes_)}; }
+
+ToolState HoleFillingTool::state() const {
+  return {.has_selection = holes_.active && !holes_.selected().empty(), .busy = holes_.active && holes_.preview.busy()};
 }
 
-QString HoleFillingTool::offer(const WorkObject&) const {
-  if (filling_node(studio()) == nullptr) return {};
+QString HoleFillingTool::offer() const {
+  if (holes_.node() == nullptr) return {};
   return tr("O goes back to its holes: there patches are dragged · F9 vertices, F10 edges, F11 faces of the scan");
 }
 
+// ---- The pointer
+
+void HoleFillingTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps) {
+    gesture_view_ = step.view;
+    const ViewFrame frame = host().viewport().own_frame_of(step.view);
+    take_gesture(holes_, {step.kind, step.sample.position, step.modifiers, frame, step.sample.time});
+  }
+  show_hover();
+}
+
+void HoleFillingTool::hover(const PointerEvent& event) {
+  const bool leaves = event.action == PointerEvent::Action::Leave;
+  if (!leaves) gesture_view_ = event.view;
+  const ViewFrame frame = host().viewport().own_frame_of(event.view);
+  if (leaves ? holes_.tool.leave() : holes_.tool.hover(event.position, frame)) show_hover();
+}
+
+void HoleFillingTool::show_hover() {
+  holes_.overlay.follow_hover(holes_.tool);
+  emit changed();
+}
+
 bool HoleFillingTool::command(EditCommand command) {
-  if (command == EditCommand::Cancel) holes_.cancel();
-  if (!holes_.active()) return false;
+  if (command == EditCommand::Cancel) cancel_remeshing(holes_);
+  if (!holes_.active) return false;
   switch (command) {
-    case EditCommand::SelectAll: holes_.select_all(); break;
+    case EditCommand::SelectAll: {
+      std::vector<Index> all;
+      for (const HoleRow& row : holes_.rows) all.push_back(row.id);
+      holes_.select(std::move(all));
+      break;
+    }
     case EditCommand::SelectNone: {
       Selection selection = studio().session().selection();
       std::erase_if(selection, [](const SelectedItem& item) { return !item.part.empty(); });
@@ -190,7 +215,7 @@ bool HoleFillingTool::command(EditCommand command) {
     }
     case EditCommand::Delete:
       host().record(recorded::Action{"delete"});
-      holes_.reopen_selected();
+      reopen_selected(holes_);
       break;
     case EditCommand::Accept: host().action("fill-selected")->trigger(); break;
     case EditCommand::Cancel: break;
@@ -198,138 +223,95 @@ bool HoleFillingTool::command(EditCommand command) {
   return true;
 }
 
-void HoleFillingTool::follow(Change change) {
-  if (change == Change::Document || change == Change::Result) holes_.follow();
+bool HoleFillingTool::show(const Target& target) {
+  if (const auto* step = std::get_if<const Node*>(&target)) {
+    if ((*step)->operation != filling_operation) return false;
+    open();
+  } else if (const auto* found = std::get_if<NodeFinding>(&target)) {
+    const std::vector<Index> holes = holes_of(found->finding);
+    const Node* node = studio().session().document().find(found->node);
+    if (holes.empty() || node == nullptr || node->operation != filling_operation) return false;
+    studio().set_active(found->node);
+    open();
+    holes_.select(holes);
+    frame_holes(holes_);
+  } else if (const auto* chosen = std::get_if<ChosenParts>(&target)) {
+    const WorkObject* object = studio().object(chosen->node);
+    if (object == nullptr || studio().face_sets().of(*object).empty()) return false;
+    host().record(recorded::FaceSetChoice{object->name, chosen->parts});
+    host().select_face_sets(chosen->node, chosen->parts);
+  } else if (const auto* sets = std::get_if<ChosenFaceSets>(&target)) {
+    std::vector<Index> holes;
+    for (const FaceSet* set : *sets) holes.insert(holes.end(), set->holes.begin(), set->holes.end());
+    if (holes_.active && !holes.empty()) holes_.select(holes);
+  } else {
+    return false;
+  }
+  return true;
 }
 
+// ---- The views
+
 void HoleFillingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (holes_.active()) wanted.outlines = false;
+  if (holes_.active) wanted.outlines = false;
+}
+
+void HoleFillingTool::add_to(render::Scene& scene, int view) {
+  const WorkObject* object = studio().active();
+  if (!holes_.active || object == nullptr) return;
+  const PlacedPart part(scene, object->placement.map());
+  if (holes_.preview.item()) {
+    scene.meshes.emplace_back(holes_.preview.item(), render::Emphasis{}, render::MeshStyle::translucent());
+  }
+  holes_.overlay.add_to(scene);
+  const auto& box = holes_.tool.preview().box;
+  if (box && view == gesture_view_) add_box(*box, host().viewport().own_frame_of(view), scene);
 }
 
 std::optional<SelectionFrame> HoleFillingTool::selection_frame(int) const {
-  if (holes_.selection_bounds().empty()) return std::nullopt;
+  const render::Bounds bounds = HoleOverlay::bounds_of(holes_.tool, holes_.selected());
+  if (bounds.empty()) return std::nullopt;
   const WorkObject* object = studio().active();
   const Affine3 to_model = object == nullptr ? Affine3() : object->placement.map();
-  std::optional<Vec3> facing = holes_.selection_facing();
+  std::optional<Vec3> facing = facing_of_selected(holes_);
   if (facing) facing = (to_model.linear * *facing).normalized();
-  return SelectionFrame{render::placed(holes_.selection_bounds(), matrix_of(to_model)), facing, true};
+  return SelectionFrame{render::placed(bounds, matrix_of(to_model)), facing, true};
 }
 
 void HoleFillingTool::place_chips(ChipPlaces& places) {
-  places.put_legend(*legend_, tinted_ && holes_.active());
+  places.put_legend(*legend_, holes_.tinted && holes_.active);
   HolePinView::Pins pins;
   const PaneLayout& layout = places.layout();
-  for (const int view : holes_.active() ? layout.shown() : std::vector<int>()) {
-    if (host().viewport().tool_in(view) == this) pins.push_back({layout.pane(view).rect, holes_.pins(view)});
+  for (const int view : holes_.active ? layout.shown() : std::vector<int>()) {
+    const Viewport& views = host().viewport();
+    if (views.tool_in(view) == this)
+      pins.push_back({layout.pane(view).rect, holes_.tool.pins(views.own_frame_of(view))});
   }
   pins_.show_pins(std::move(pins), holes_);
 }
 
-void HoleFillingTool::frame_holes() {
-  host().record(recorded::Action{"frame-selection"});
-  host().viewport().frame_selection();
-}
-
-void HoleFillingTool::chosen_by_name(const std::vector<const FaceSet*>& sets) {
-  std::vector<Index> holes;
-  for (const FaceSet* set : sets) holes.insert(holes.end(), set->holes.begin(), set->holes.end());
-  if (holes_.active() && !holes.empty()) holes_.select(holes);
-}
-
-/// One row for all patches, and in it one for each.
 std::vector<ObjectRow> HoleFillingTool::rows(const WorkObject& object, NodeId node) const {
-  std::vector<ObjectRow> rows;
-  if (node != object.node) return rows;
-  for (const FaceSet& set : studio().face_sets().of(object)) {
-    const auto count = qulonglong(set.faces.size());
-    const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
-    const ObjectRow row{QString::fromStdString(set.name),
-                        info,
-                        tr("Click to select these faces; F frames them"),
-                        {set.name},
-                        true,
-                        false,
-                        {}};
-    (rows.empty() ? rows : rows.front().rows).push_back(row);
-  }
-  return rows;
+  return node == object.node ? rows_of_patches(studio().face_sets().of(object)) : std::vector<ObjectRow>();
 }
 
-bool HoleFillingTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
-  const WorkObject* object = studio().object(node);
-  if (object == nullptr || studio().face_sets().of(*object).empty()) return false;
-  host().record(recorded::FaceSetChoice{object->name, parts});
-  host().select_face_sets(node, parts);
-  return true;
-}
-
-bool HoleFillingTool::show_finding(const NodeFinding& found) {
-  const std::vector<Index> holes = holes_of(found.finding);
-  const Node* node = studio().session().document().find(found.node);
-  if (holes.empty() || node == nullptr || node->operation != filling_operation) return false;
-  studio().set_active(found.node);
-  if (!holes_.active()) host().action("holes")->trigger();
-  holes_.select(holes);
-  frame_holes();
-  return true;
-}
-
-bool HoleFillingTool::open_step(const Node& step) {
-  if (step.operation != filling_operation) return false;
-  if (!holes_.active()) host().action("holes")->trigger();
-  return true;
-}
-
-void HoleFillingTool::refresh() {
-  const bool working = holes_.active() && filling_node(studio()) != nullptr;
-  const auto& selected = holes_.selected();
-  for (QAction* action : actions_) action->setEnabled(working);
-  const auto any = [&](auto&& holds) {
-    return working && std::any_of(selected.begin(), selected.end(), [&](Index hole) {
-             const HoleRow* row = holes_.row(hole);
-             return row == nullptr || holds(*row);
-           });
-  };
-  host().action("fill-selected")->setEnabled(working && holes_.can_fill_selected());
-  host().action("reopen-selected")->setEnabled(any([](const HoleRow& row) { return row.state != FillAction::Leave; }));
-  for (const auto& [name, select] : {std::pair{"fill-inner", "inner"},
-                                     {"fill-all-but-largest", "all-but-largest"},
-                                     {"fill-all", "all"},
-                                     {"reopen-all", "none"}}) {
-    host().action(name)->setEnabled(working && holes_.can_fill_all(select));
-  }
-  host().action("clear-handles")->setEnabled(working && !holes_.tool().handles().empty());
-  host().action("bridge-holes")->setEnabled(working && selected.size() > 1);
-  host().action("holes")->setEnabled(can_fill(studio()));
-  if (working) host().action("delete")->setEnabled(!selected.empty());
-  follow_dock(working);
-}
-
-void HoleFillingTool::follow_dock(bool working) {
-  const bool was_shown = !dock_->isHidden();
-  panels_->set_useful(dock_, working);
-  const bool appears = !was_shown && !dock_->isHidden();
-  if (appears) dock_->raise();
-  if (appears) panels_->give_room_once(dock_, wanted_width);
-  panel_->follow();
-}
-
-// Recorded steps of work on holes, and what replays can expect of them.
+// ---- Recorded steps of work on holes, and what replays can expect of them
 
 void HoleFillingTool::make_replays(Replays& replays) {
   const auto play = [this](const auto& step) {
     if (!step.node.empty()) studio().set_active(object_named(studio(), step.node).node);
-    if (!holes_.active()) refuse_replay("No holes are being worked on: the action \"holes\" opens them");
+    if (!holes_.active) refuse_replay("No holes are being worked on: the action \"holes\" opens them");
     host().wait_until_settled();  // their numbers are known once they have been found
-    holes_.replay(step);
+    replay(holes_, step);
   };
   replays.on<recorded::HoleChoice>(play);
   replays.on<recorded::HoleWay>(play);
   replays.on<recorded::HolePoint>(play);
   replays.counts["holes"] = [this](const std::string& node) { return count_open_holes(object_named(studio(), node)); };
-  replays.counts["patches"] = [this](const std::string& node) { return count_patches(object_named(studio(), node)); };
+  replays.counts["patches"] = [this](const std::string& node) {
+    return holes_of_patches(object_named(studio(), node)).size();
+  };
   replays.counts["selected"] = [this](const std::string&) {
-    return holes_.active() ? holes_.selected().size() : studio().session().components().elements.size();
+    return holes_.active ? holes_.selected().size() : studio().session().components().elements.size();
   };
 }
 

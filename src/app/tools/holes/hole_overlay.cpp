@@ -3,10 +3,10 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "app/tools/holes/hole_interaction.h"
-#include "app/views/render_color.h"
+#include "app/tools/holes/scan_holes.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -18,10 +18,9 @@ constexpr double hovered_rim_width = 5;
 constexpr std::uint8_t covered_rim_alpha = 55;  // of rims behind the surface
 constexpr double frame_share = 0.9;             // of a hole's size, to be seen around it
 
-render::LinePath path_of(const HoleRim& rim, const QColor& color) {
-  render::LinePath path;
-  path.closed = true;
-  for (const Vec3& place : rim.points) path.points.push_back({to_glm(place), 1, with_own_alpha(color)});
+render::LinePath rim_path(const HoleRim& rim, const QColor& color) {
+  render::LinePath path = path_of(rim.points, to_glm, true);
+  for (render::LinePoint& point : path.points) point.color = with_own_alpha(color);
   return path;
 }
 
@@ -35,10 +34,6 @@ render::Mark handle_mark(const PatchHandle& handle, bool hovered) {
 constexpr double pin_height = 18;
 constexpr double faint_strength = 0.35;  // of holes that the scan hides
 
-bool contains(const std::vector<Index>& holes, Index hole) {
-  return std::find(holes.begin(), holes.end(), hole) != holes.end();
-}
-
 }  // namespace
 
 QColor hole_color(const HoleRow& hole) {
@@ -47,7 +42,7 @@ QColor hole_color(const HoleRow& hole) {
   return hole.is_border() ? QColor(110, 100, 130) : QColor(20, 92, 200);
 }
 
-HoleOverlay::SeenThrough HoleOverlay::rims(std::vector<render::LinePath> paths, double width) {
+SeenThrough HoleOverlay::rims(std::vector<render::LinePath> paths, double width) {
   if (paths.empty()) return {};
   SeenThrough lines;
   lines.clear = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnSurface});
@@ -65,9 +60,9 @@ void HoleOverlay::follow(const HoleTool& tool, const std::vector<HoleRow>& rows)
     const HoleRim* rim = tool.rim(row.id);
     if (rim == nullptr) continue;
     if (tool.is_selected(row.id))
-      selected.push_back(path_of(*rim, colors::accent));
+      selected.push_back(rim_path(*rim, colors::accent));
     else
-      all.push_back(path_of(*rim, hole_color(row)));
+      all.push_back(rim_path(*rim, hole_color(row)));
   }
   all_ = rims(std::move(all), rim_width);
   selected_ = rims(std::move(selected), selected_rim_width);
@@ -78,7 +73,7 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
   const HolePreview& preview = tool.preview();
   std::vector<render::LinePath> hovered;
   for (const Index hole : preview.hovered.holes) {
-    if (const HoleRim* rim = tool.rim(hole)) hovered.push_back(path_of(*rim, colors::hover));
+    if (const HoleRim* rim = tool.rim(hole)) hovered.push_back(rim_path(*rim, colors::hover));
   }
   hovered_ = rims(std::move(hovered), hovered_rim_width);
   std::vector<render::Mark> marks;
@@ -86,27 +81,21 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
     const bool over = preview.hovered.part == HolePart::Handle && preview.hovered.handle == k;
     marks.push_back(handle_mark(tool.handles()[k], over));
   }
-  handles_ = marks.empty() ? nullptr : render::make_mark_item(marks);
+  handles_ = marks_of(marks);
   pull_.reset();
   pulled_.reset();
   const bool aims = preview.hovered.part == HolePart::Patch && preview.hovered.place;
   if (!preview.pull && !aims) return;
   const Vec3 to = preview.pull ? preview.pull->to : *preview.hovered.place;
-  pulled_ = render::make_mark_item(std::vector<render::Mark>{handle_mark({no_index, to, {}}, true)});
+  pulled_ = marks_of({handle_mark({no_index, to, {}}, true)});
   if (!preview.pull) return;
-  const std::vector<glm::dvec3> way{to_glm(preview.pull->from), to_glm(to)};
-  pull_ = render::make_line_item(render::line_through(way),
-                                 {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
+  pull_ = lines_of({path_of(std::array{preview.pull->from, to}, to_glm)},
+                   {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
 }
 
 void HoleOverlay::add_to(render::Scene& scene) const {
-  for (const render::LineItemPtr& item :
-       {all_.faint, selected_.faint, hovered_.faint, all_.clear, selected_.clear, hovered_.clear, pull_}) {
-    if (item) scene.lines.emplace_back(item);
-  }
-  for (const render::MarkItemPtr& item : {handles_, pulled_}) {
-    if (item) scene.marks.emplace_back(item);
-  }
+  add_items(scene, {all_.faint, selected_.faint, hovered_.faint, all_.clear, selected_.clear, hovered_.clear, pull_},
+            {handles_, pulled_});
 }
 
 render::Bounds HoleOverlay::bounds_of(const HoleTool& tool, const std::vector<Index>& holes) {
@@ -128,7 +117,7 @@ HolePinView::HolePinView(QWidget* views) : QWidget(views) {
   hide();
 }
 
-HolePinView::Drawn HolePinView::drawn(const ViewPins& view, const HolePin& pin, const HoleInteraction& holes) {
+HolePinView::Drawn HolePinView::drawn(const ViewPins& view, const HolePin& pin, const ScanHoles& holes) {
   Drawn pictured;
   pictured.view = view.view;
   pictured.at = view.view.topLeft() + QPointF(pin.pixel.x(), pin.pixel.y());
@@ -137,16 +126,17 @@ HolePinView::Drawn HolePinView::drawn(const ViewPins& view, const HolePin& pin, 
   if (pin.holes.size() > 1) pictured.text += QStringLiteral(" +%1").arg(pin.holes.size() - 1);
   const HoleRow* row = holes.row(pin.hole);
   if (row != nullptr) pictured.color = hole_color(*row);
-  const std::vector<Index>& selected = holes.selected();
-  const std::vector<Index>& hovered = holes.hovered();
-  pictured.selected = std::any_of(pin.holes.begin(), pin.holes.end(), [&](Index h) { return contains(selected, h); });
-  pictured.hovered = std::any_of(pin.holes.begin(), pin.holes.end(), [&](Index h) { return contains(hovered, h); });
+  const auto any_of = [&](const std::vector<Index>& some) {
+    return std::ranges::any_of(pin.holes, [&](Index hole) { return std::ranges::count(some, hole) > 0; });
+  };
+  pictured.selected = any_of(holes.selected());
+  pictured.hovered = any_of(holes.tool.preview().hovered.holes);
   // While sight isn't computed, the faces' direction decides; some scans are inside out.
-  pictured.faint = holes.knows_sight() ? !pin.visible : !pin.facing;
+  pictured.faint = holes.sight != nullptr ? !pin.visible : !pin.facing;
   return pictured;
 }
 
-void HolePinView::show_pins(Pins pins, const HoleInteraction& holes) {
+void HolePinView::show_pins(Pins pins, const ScanHoles& holes) {
   std::vector<Drawn> wanted;
   for (const ViewPins& view : pins) {
     for (const HolePin& pin : view.pins) wanted.push_back(drawn(view, pin, holes));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/tools/holes/hole_plan.h"
-#include "croquis/render/scene.h"
+#include "app/tools/scene_parts.h"
 #include "croquis/tools/holes/hole_pins.h"
 #include "croquis/tools/holes/hole_tool.h"
 
@@ -31,11 +31,6 @@ class HoleOverlay {
   static render::Bounds bounds_of(const HoleTool& tool, const std::vector<Index>& holes);
 
  private:
-  /// Lines that what covers them leaves faint.
-  struct SeenThrough {
-    render::LineItemPtr clear;
-    render::LineItemPtr faint;
-  };
   static SeenThrough rims(std::vector<render::LinePath> paths, double width);
 
   SeenThrough all_;
@@ -46,7 +41,7 @@ class HoleOverlay {
   render::MarkItemPtr pulled_;
 };
 
-class HoleInteraction;
+struct ScanHoles;
 
 /// The numbers of holes over the views, where these show them. Takes no events.
 class HolePinView : public QWidget {
@@ -63,7 +58,7 @@ class HolePinView : public QWidget {
   using Pins = std::vector<ViewPins>;
 
   /// Draws them again when something of it has changed. None: nothing is shown.
-  void show_pins(Pins pins, const HoleInteraction& holes);
+  void show_pins(Pins pins, const ScanHoles& holes);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -79,7 +74,7 @@ class HolePinView : public QWidget {
     bool faint = false;
     bool operator==(const Drawn&) const = default;
   };
-  static Drawn drawn(const ViewPins& view, const HolePin& pin, const HoleInteraction& holes);
+  static Drawn drawn(const ViewPins& view, const HolePin& pin, const ScanHoles& holes);
 
   std::vector<Drawn> drawn_;
 };

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/holes/hole_panel.h"
-
 #include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
@@ -14,8 +12,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/panels/panel.h"
 #include "app/tools/holes/hole_plan.h"
 #include "app/tools/holes/hole_table.h"
+#include "app/tools/holes/scan_holes.h"
+#include "app/tools/holes/surface_check.h"
 #include "croquis/remeshing/remesh.h"
 
 namespace croquis::app {
@@ -48,7 +49,8 @@ constexpr int bulge_steps = 100;  // of the slider on either side
 constexpr int most_trimmed = 3;
 
 /// A button that does what the window's action does.
-QPushButton* action_button(QWidget* panel, QAction* does, const QString& text) {
+QPushButton* action_button(QWidget* panel, const ScanHoles& holes, const char* action, const QString& text) {
+  QAction* does = holes.host.action(action);
   auto* button = new QPushButton(text, panel);
   button->setObjectName(does->objectName() + "-button");
   button->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
@@ -83,7 +85,7 @@ LeftOpen left_open(const std::vector<HoleRow>& rows) {
 }
 
 QString fill_text(std::size_t count, double limit) {
-  return HolePanel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
+  return Panel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
 }
 
 bool is_remeshed(const WorkObject& object) {
@@ -91,21 +93,12 @@ bool is_remeshed(const WorkObject& object) {
   return found != nullptr && found->remeshed;
 }
 
-std::string mode_of_holes(const Studio& studio, const Node& node) {
-  return std::get<std::string>(filling_value(studio, node, "mode"));
+const ParameterDescription* parameter(const ScanHoles& holes, const std::string& name) {
+  const OperationDescription* operation = holes.studio().description(filling_operation);
+  return operation == nullptr ? nullptr : find_parameter(operation->parameters, name);
 }
 
-const ParameterDescription* parameter(const Studio& studio, const std::string& name) {
-  const OperationDescription* operation = studio.description("fill");
-  if (operation == nullptr) return nullptr;
-  for (const ParameterDescription& description : operation->parameters) {
-    if (description.name == name) return &description;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
+/// "About 9 s and 1.1 GB": what remeshing a scan costs with the parameters of a `fill` operation, before it begins.
 QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh& scan) {
   remeshing::RemeshOptions options;
   options.cell = std::max(number(studio, node, "cell", options.cell), 1e-3);
@@ -119,240 +112,247 @@ QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh
       .arg(seconds(time), bytes(remeshing::predicted_remesh_bytes(scan, options)));
 }
 
-HolePanel::HolePanel(Studio& studio, HoleInteraction& holes, const Action& action)
-    : Panel("hole-panel"),
-      studio_(studio),
-      holes_(holes),
-      check_(nullptr),
-      summary_(label({})),
-      checked_(label({})),
-      table_(new HoleTable(this)),
-      sizes_(new SizeSlider(this)) {
-  column()->setContentsMargins(6, 4, 6, 4);
-  column()->setSpacing(4);
-  make_head();
-  make_buttons(action);
-  make_sizes();
-  make_way();
-  make_shape();
-  row({action_button(this, action("clear-handles"), tr("Clear handles")),
-       action_button(this, action("tint-patches"), tr("Confidence")),
-       action_button(this, action("zebra"), tr("Zebra"))});
-  make_mode();
-  connect(&check_, &SurfaceCheck::changed, this, &HolePanel::follow_check);
-}
-
-bool HolePanel::is_there() const { return holes_.active() && filling_node(studio_) != nullptr; }
-
-void HolePanel::make_head() {
-  summary_->setObjectName("hole-summary");
-  QFont bold = summary_->font();
+/// What was found, and what a check of it says.
+void add_head(Panel& panel, ScanHoles& holes) {
+  QLabel* summary = panel.label({});
+  summary->setObjectName("hole-summary");
+  QFont bold = summary->font();
   bold.setBold(true);
-  summary_->setFont(bold);
-  summary_->setWordWrap(true);
-  checked_->setObjectName("hole-check");
-  checked_->setWordWrap(true);
-  checked_->hide();
-  column()->addWidget(summary_);
-  column()->addWidget(checked_);
-  column()->addWidget(table_, 1);
-  connect(table_, &HoleTable::holes_chosen, this, [this](const std::vector<Index>& chosen) { holes_.select(chosen); });
-  connect(table_, &HoleTable::hole_opened, this, [this](Index hole) {
-    holes_.select({hole});
-    emit frame_wanted();
+  summary->setFont(bold);
+  QLabel* checked = panel.label({});
+  checked->setObjectName("hole-check");
+  checked->hide();
+  auto* table = new HoleTable(&panel);
+  for (QLabel* label : {summary, checked}) {
+    label->setWordWrap(true);
+    panel.column()->addWidget(label);
+  }
+  panel.column()->addWidget(table, 1);
+  QObject::connect(table, &HoleTable::holes_chosen, &panel,
+                   [&holes](const std::vector<Index>& chosen) { holes.select(chosen); });
+  QObject::connect(table, &HoleTable::hole_opened, &panel, [&holes](Index hole) {
+    holes.select({hole});
+    frame_holes(holes);
   });
-  also([this] { follow_head(); });
+  QObject::connect(table, &HoleTable::accepted, holes.host.action("fill-selected"), &QAction::trigger);
+  auto* check = new SurfaceCheck(&panel);
+  QObject::connect(check, &SurfaceCheck::changed, &panel, [&holes, check, checked] {
+    const auto& found = check->found();
+    checked->setVisible(found.has_value() || check->busy());
+    const LeftOpen left = left_open(holes.rows);
+    checked->setText(found ? sentence_of(*found, left) : Panel::tr("Checking …"));
+    const bool fine = found && is_as_wanted(*found, left);
+    checked->setStyleSheet(!found ? "" : fine ? "color: #6fd3b0" : "color: #ffb65c");
+  });
+  panel.also([&panel, &holes, summary, table, check] {
+    const Studio& studio = holes.studio();
+    const bool there = holes.works();
+    panel.setEnabled(there);
+    summary->setText(!there                                ? Panel::tr("No mesh is being worked on")
+                     : holes.rows.empty() && studio.busy() ? Panel::tr("Looking for holes …")
+                                                           : summary_of(holes.rows));
+    table->name_unit(QString::fromStdString(studio.unit()));
+    table->show_holes(holes.rows);
+    table->show_selection(holes.selected());
+    const WorkObject* object = studio.active();
+    const bool filled = there && object->quality == Quality::Final && object->result && !object->result->failed &&
+                        !holes.filled().empty();
+    const bool remeshed = filled && is_remeshed(*object);  // what is shown, whatever is being computed
+    check->follow(filled ? object->mesh : nullptr, filled && !remeshed ? holes.scan() : nullptr);
+  });
 }
 
-void HolePanel::make_buttons(const Action& action) {
-  const auto button = [&](const char* name, const QString& text) { return action_button(this, action(name), text); };
-  row({button("fill-selected", tr("Fill")), button("reopen-selected", tr("Reopen")),
-       button("bridge-holes", tr("Bridge")), button("frame-selection", tr("Frame"))});
-  row({button("fill-inner", tr("Fill all inner")), button("fill-all-but-largest", tr("All but largest"))});
+void add_buttons(Panel& panel, const ScanHoles& holes) {
+  const auto button = [&](const char* action, const QString& text) {
+    return action_button(&panel, holes, action, text);
+  };
+  panel.row({button("fill-selected", Panel::tr("Fill")), button("reopen-selected", Panel::tr("Reopen")),
+             button("bridge-holes", Panel::tr("Bridge")), button("frame-selection", Panel::tr("Frame"))});
+  panel.row({button("fill-inner", Panel::tr("Fill all inner")),
+             button("fill-all-but-largest", Panel::tr("All but largest"))});
 }
 
-void HolePanel::make_sizes() {
-  fill_sizes_ = new QPushButton(this);
-  fill_sizes_->setObjectName("fill-sizes");
-  fill_sizes_->setFocusPolicy(Qt::NoFocus);
+QString fill_tip(bool any_inner, double limit, std::size_t count) {
+  if (!any_inner) return Panel::tr("There is no hole inside a border");
+  if (limit <= 0) return Panel::tr("Drag the slider first: it sets the largest diameter");
+  if (count == 0) return Panel::tr("No hole that small is open");
+  return Panel::tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled")
+      .arg(measure(limit));
+}
+
+void add_sizes(Panel& panel, ScanHoles& holes) {
+  auto* sizes = new SizeSlider(&panel);
+  auto* fill = new QPushButton(&panel);
+  fill->setObjectName("fill-sizes");
+  fill->setFocusPolicy(Qt::NoFocus);
   // Of one width for all numbers, so that the slider beside it stays under the pointer.
-  const int widest = fill_sizes_->fontMetrics().horizontalAdvance(fill_text(9999, 0.000012345));
-  fill_sizes_->setFixedWidth(widest + 2 * fill_sizes_->fontMetrics().averageCharWidth());
-  row({{sizes_, 1}, fill_sizes_});
-  connect(sizes_, &SizeSlider::moved, this, [this](double diameter) {
-    holes_.select_by_size(diameter);
-    follow_sizes();
+  const int widest = fill->fontMetrics().horizontalAdvance(fill_text(9999, 0.000012345));
+  fill->setFixedWidth(widest + 2 * fill->fontMetrics().averageCharWidth());
+  panel.row({{sizes, 1}, fill});
+  const auto follow = [&holes, sizes, fill] {
+    std::vector<double> diameters;
+    for (const HoleRow& row : holes.rows) {
+      if (!row.is_border()) diameters.push_back(row.diameter);
+    }
+    sizes->show_sizes(diameters);
+    const double limit = sizes->diameter();
+    const std::size_t count = limit > 0 ? open_up_to(holes, limit).size() : 0;
+    fill->setEnabled(count > 0);
+    fill->setText(limit > 0 ? fill_text(count, limit) : Panel::tr("Fill up to size"));
+    fill->setToolTip(fill_tip(!diameters.empty(), limit, count));
+  };
+  QObject::connect(sizes, &SizeSlider::moved, &panel, [&holes, follow](double diameter) {
+    holes.select(open_up_to(holes, diameter));
+    follow();
   });
-  connect(fill_sizes_, &QPushButton::clicked, this, [this] { holes_.fill_up_to(sizes_->diameter()); });
-  also([this] { follow_sizes(); });
+  QObject::connect(fill, &QPushButton::clicked, &panel, [&holes, sizes] { fill_up_to(holes, sizes->diameter()); });
+  panel.also(follow);
 }
 
-void HolePanel::make_way() {
-  QLabel* of_all = label(tr("Preset, of all holes:"));
-  if (const ParameterDescription* described = parameter(studio_, "preset"))
+void add_methods(Panel& panel, ScanHoles& holes) {
+  using Choice = Panel::Choice;
+  QLabel* of_all = panel.label(Panel::tr("Preset, of all holes:"));
+  if (const ParameterDescription* described = parameter(holes, "preset"))
     of_all->setToolTip(QString::fromStdString(described->sentence));
-  const std::vector<Choice> presets{{tr("Automatic"), "auto"},
-                                    {tr("Standard"), "standard"},
-                                    {tr("Sharp: machined parts"), "sharp"},
-                                    {tr("Noisy: rough scans"), "noisy"},
-                                    {tr("Paper: as Yoo 2005 has it"), "paper"}};
-  QComboBox* preset = choice_of_values(
-      "hole-preset", presets, [this] { return holes_.preset(); },
-      [this](const std::string& value) { holes_.set_preset(value); }, of_all->toolTip());
-  row({of_all, {named(preset, tr("Preset")), 1}});
-  QLabel* title = text("way-of", [this] {
-    const std::vector<Index>& chosen = holes_.selected();
-    return chosen.empty()       ? tr("Patches of all holes:")
-           : chosen.size() == 1 ? tr("Patch of hole %1:").arg(chosen.front())
-                                : tr("Patches of holes %1:").arg(numbers_of({chosen.begin(), chosen.end()}));
+  const std::vector<Choice> presets{{Panel::tr("Automatic"), "auto"},
+                                    {Panel::tr("Standard"), "standard"},
+                                    {Panel::tr("Sharp: machined parts"), "sharp"},
+                                    {Panel::tr("Noisy: rough scans"), "noisy"},
+                                    {Panel::tr("Paper: as Yoo 2005 has it"), "paper"}};
+  QComboBox* preset = panel.choice_of_values(
+      "hole-preset", presets, [&holes] { return text_parameter(holes, "preset"); },
+      [&holes](const std::string& value) { set_preset(holes, value); }, of_all->toolTip());
+  panel.row({of_all, {named(preset, Panel::tr("Preset")), 1}});
+  QLabel* title = panel.text("way-of", [&holes] {
+    const std::vector<Index>& chosen = holes.selected();
+    return chosen.empty()       ? Panel::tr("Patches of all holes:")
+           : chosen.size() == 1 ? Panel::tr("Patch of hole %1:").arg(chosen.front())
+                                : Panel::tr("Patches of holes %1:").arg(numbers_of({chosen.begin(), chosen.end()}));
   });
   title->setWordWrap(false);
-  column()->addWidget(title);
-  const std::vector<Choice> methods{{tr("Automatic"), "auto"},
-                                    {tr("Continue the surface"), "rbf"},
-                                    {tr("Continue its slope"), "smooth"},
-                                    {tr("Flat"), "flat"}};
+  panel.column()->addWidget(title);
+  const std::vector<Choice> methods{{Panel::tr("Automatic"), "auto"},
+                                    {Panel::tr("Continue the surface"), "rbf"},
+                                    {Panel::tr("Continue its slope"), "smooth"},
+                                    {Panel::tr("Flat"), "flat"}};
   std::vector<Choice> kernels;
-  if (const ParameterDescription* described = parameter(studio_, "kernel")) {
+  if (const ParameterDescription* described = parameter(holes, "kernel")) {
     for (std::size_t i = 0; i < described->choices.size(); ++i)
       kernels.push_back(
           {QString::fromStdString(described->choice_titles[i]), QString::fromStdString(described->choices[i])});
   }
-  QComboBox* fairness = choice_of_values(
-      "hole-way", methods, [this] { return holes_.way().fairness; },
-      [this](const std::string& value) { holes_.set_way({.fairness = value}); },
-      tr("Automatic: flat where an open surface ends, elsewhere the surface is continued"));
-  QComboBox* kernel = choice_of_values(
-      "hole-kernel", kernels, [this] { return holes_.way().kernel; },
-      [this](const std::string& value) { holes_.set_way({.kernel = value}); },
-      tr("Of the functions that continue the surface"));
-  also([this, kernel] {
-    const std::string method = holes_.way().fairness;
+  QComboBox* fairness = panel.choice_of_values(
+      "hole-way", methods, [&holes] { return method_of_selected(holes).fairness; },
+      [&holes](const std::string& value) { set_method(holes, {.fairness = value}); },
+      Panel::tr("Automatic: flat where an open surface ends, elsewhere the surface is continued"));
+  QComboBox* kernel = panel.choice_of_values(
+      "hole-kernel", kernels, [&holes] { return method_of_selected(holes).kernel; },
+      [&holes](const std::string& value) { set_method(holes, {.kernel = value}); },
+      Panel::tr("Of the functions that continue the surface"));
+  panel.also([&holes, kernel] {
+    const std::string method = method_of_selected(holes).fairness;
     kernel->setEnabled(method == "rbf" || method == "auto");
   });
-  row({{named(fairness, tr("Method")), 1}, {named(kernel, tr("Function")), 1}});
+  panel.row({{named(fairness, Panel::tr("Method")), 1}, {named(kernel, Panel::tr("Function")), 1}});
 }
 
-void HolePanel::make_shape() {
-  QLabel* name = label(tr("Bulge"));
-  name->setToolTip(tr("Turns the slope at the rim: out above 0, in below"));
-  auto* slider = new QSlider(Qt::Horizontal, this);
+/// While the slider is held down it is one change.
+QSlider* make_bulge_slider(Panel& panel, ScanHoles& holes) {
+  auto* slider = new QSlider(Qt::Horizontal, &panel);
   slider->setObjectName("bulge-slider");
-  slider->setAccessibleName(tr("Bulge"));
+  slider->setAccessibleName(Panel::tr("Bulge"));
   slider->setRange(-bulge_steps, bulge_steps);
-  const auto slide = [this, slider](bool dragging) {
-    if (!following()) holes_.set_way({.bulge = static_cast<double>(slider->value()) / bulge_steps}, dragging);
+  const auto slide = [&panel, &holes, slider](bool drags) {
+    if (!panel.following()) set_method(holes, {.bulge = static_cast<double>(slider->value()) / bulge_steps}, drags);
   };
-  connect(slider, &QSlider::valueChanged, this, [slide, slider] { slide(slider->isSliderDown()); });
-  connect(slider, &QSlider::sliderReleased, this, [slide] { slide(false); });
-  QDoubleSpinBox* bulge = number(
-      "bulge", {-1, 1, 2}, [this] { return Number{holes_.way().bulge}; },
-      [this](double value) { holes_.set_way({.bulge = value}); });
-  bulge->setAccessibleName(tr("Bulge"));
-  bulge->setSingleStep(0.05);
-  auto* trim = new QSpinBox(this);
-  trim->setObjectName("trim-rim");
-  trim->setAccessibleName(tr("Rings of faces taken off the rim"));
-  trim->setToolTip(tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
-  trim->setRange(0, most_trimmed);
-  trim->setPrefix(tr("Trim "));
-  trim->setSuffix(tr(" rings"));
-  connect(trim, &QSpinBox::valueChanged, this, [this](int rings) {
-    if (!following()) holes_.set_way({.trim_rim = rings});
+  QObject::connect(slider, &QSlider::valueChanged, &panel, [slide, slider] { slide(slider->isSliderDown()); });
+  QObject::connect(slider, &QSlider::sliderReleased, &panel, [slide] { slide(false); });
+  panel.also([&holes, slider] {
+    // While it is held down, the slider leads.
+    if (slider->isSliderDown()) return;
+    slider->setValue(static_cast<int>(std::lround(method_of_selected(holes).bulge * bulge_steps)));
   });
+  return slider;
+}
+
+void add_shape(Panel& panel, ScanHoles& holes) {
+  QLabel* name = panel.label(Panel::tr("Bulge"));
+  name->setToolTip(Panel::tr("Turns the slope at the rim: out above 0, in below"));
+  QSlider* slider = make_bulge_slider(panel, holes);
+  QDoubleSpinBox* bulge = panel.number(
+      "bulge", {-1, 1, 2}, [&holes] { return Panel::Number{method_of_selected(holes).bulge}; },
+      [&holes](double value) { set_method(holes, {.bulge = value}); });
+  bulge->setAccessibleName(Panel::tr("Bulge"));
+  bulge->setSingleStep(0.05);
+  auto* trim = new QSpinBox(&panel);
+  trim->setObjectName("trim-rim");
+  trim->setAccessibleName(Panel::tr("Rings of faces taken off the rim"));
+  trim->setToolTip(Panel::tr("Rings of faces taken off the rim before it is filled: frayed borders of scans"));
+  trim->setRange(0, most_trimmed);
+  trim->setPrefix(Panel::tr("Trim "));
+  trim->setSuffix(Panel::tr(" rings"));
+  QObject::connect(trim, &QSpinBox::valueChanged, &panel, [&panel, &holes](int rings) {
+    if (!panel.following()) set_method(holes, {.trim_rim = rings});
+  });
+  panel.also([&holes, trim] { trim->setValue(method_of_selected(holes).trim_rim); });
   share_keys(bulge);
   share_keys(trim);
-  row({name, {slider, 1}, bulge, trim});
-  also([this, slider, trim] {
-    const HoleInteraction::Way way = holes_.way();
-    // While it is held down, the slider leads.
-    if (!slider->isSliderDown()) slider->setValue(static_cast<int>(std::lround(way.bulge * bulge_steps)));
-    trim->setValue(way.trim_rim);
-  });
+  panel.row({name, {slider, 1}, bulge, trim});
 }
 
-void HolePanel::make_mode() {
-  std::vector<Choice> modes;
-  if (const ParameterDescription* described = parameter(studio_, "mode")) {
+/// Patches come back at once; remeshing begins after its estimate was shown.
+void add_mode(Panel& panel, ScanHoles& holes) {
+  std::vector<Panel::Choice> modes;
+  if (const ParameterDescription* described = parameter(holes, "mode")) {
     for (const std::string& choice : described->choices) {
-      modes.push_back({choice == "remesh" ? tr("Remesh the whole model") : tr("Patches, rest unchanged"),
+      modes.push_back({choice == "remesh" ? Panel::tr("Remesh the whole model") : Panel::tr("Patches, rest unchanged"),
                        QString::fromStdString(choice)});
     }
   }
-  mode_ = choice_of_values(
-      "hole-mode", modes,
-      [this] { return is_there() ? mode_of_holes(studio_, *filling_node(studio_)) : std::string("patch"); },
-      [this](const std::string& mode) {
-        // Patches come back at once; remeshing begins after its estimate was shown.
-        if (mode == "remesh") return follow_estimate();
-        holes_.set_mode(mode);
+  auto* start = new QPushButton(Panel::tr("Start"), &panel);
+  start->setObjectName("start-remesh");
+  start->setFocusPolicy(Qt::NoFocus);
+  QObject::connect(start, &QPushButton::clicked, &panel, [&holes] { set_mode(holes, "remesh"); });
+  QLabel* estimate = panel.label({});
+  estimate->setObjectName("remesh-estimate");
+  estimate->setWordWrap(true);
+  const auto show_estimate = [&holes, start, estimate](const std::string& mode) {
+    const Node* node = holes.node();
+    const WorkObject* object = holes.studio().active();
+    const bool wanted = mode == "remesh" && node != nullptr && object->cage_mesh;
+    const bool runs = wanted && text_parameter(holes, "mode") == "remesh";
+    start->setVisible(wanted && !runs);
+    estimate->setVisible(wanted && !(runs && !holes.studio().busy()));
+    if (wanted) estimate->setText(estimate_sentence(holes.studio(), *node, *object->cage_mesh));
+  };
+  QComboBox* mode = panel.choice_of_values(
+      "hole-mode", modes, [&holes] { return holes.works() ? text_parameter(holes, "mode") : std::string("patch"); },
+      [&holes, show_estimate](const std::string& chosen) {
+        chosen == "remesh" ? show_estimate(chosen) : set_mode(holes, chosen);
       });
-  start_ = new QPushButton(tr("Start"), this);
-  start_->setObjectName("start-remesh");
-  start_->setFocusPolicy(Qt::NoFocus);
-  connect(start_, &QPushButton::clicked, this, [this] { holes_.set_mode("remesh"); });
-  estimate_ = label({});
-  estimate_->setObjectName("remesh-estimate");
-  estimate_->setWordWrap(true);
-  row({{named(mode_, tr("Mode")), 1}, start_});
-  column()->addWidget(estimate_);
-  also([this] { follow_estimate(); });
+  panel.row({{named(mode, Panel::tr("Mode")), 1}, start});
+  panel.column()->addWidget(estimate);
+  panel.also([mode, show_estimate] { show_estimate(mode->currentData().toString().toStdString()); });
 }
 
-void HolePanel::follow_head() {
-  const bool there = is_there();
-  setEnabled(there);
-  const bool looking = there && holes_.rows().empty() && studio_.busy();
-  summary_->setText(!there    ? tr("No mesh is being worked on")
-                    : looking ? tr("Looking for holes …")
-                              : summary_of(holes_.rows()));
-  table_->name_unit(QString::fromStdString(studio_.unit()));
-  table_->show_holes(holes_.rows());
-  table_->show_selection(holes_.selected());
-  const WorkObject* object = studio_.active();
-  const bool filled =
-      there && object->quality == Quality::Final && object->result && !object->result->failed &&
-      std::ranges::any_of(holes_.rows(), [](const HoleRow& row) { return row.state == FillAction::Fill; });
-  const bool remeshed = filled && is_remeshed(*object);  // what is shown, whatever is being computed
-  check_.follow(filled ? object->mesh : nullptr, filled && !remeshed ? holes_.scan() : nullptr);
-}
+}  // namespace
 
-void HolePanel::follow_sizes() {
-  std::vector<double> diameters;
-  for (const HoleRow& row : holes_.rows()) {
-    if (!row.is_border()) diameters.push_back(row.diameter);
-  }
-  sizes_->show_sizes(diameters);
-  const double limit = sizes_->diameter();
-  const std::size_t count = limit > 0 ? holes_.open_up_to(limit).size() : 0;
-  fill_sizes_->setEnabled(count > 0);
-  fill_sizes_->setText(limit > 0 ? fill_text(count, limit) : tr("Fill up to size"));
-  fill_sizes_->setToolTip(diameters.empty() ? tr("There is no hole inside a border")
-                          : limit <= 0      ? tr("Drag the slider first: it sets the largest diameter")
-                          : count == 0
-                              ? tr("No hole that small is open")
-                              : tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled")
-                                    .arg(measure(limit)));
-}
-
-void HolePanel::follow_estimate() {
-  const Node* node = filling_node(studio_);
-  const WorkObject* object = studio_.active();
-  const bool wanted = mode_->currentData() == "remesh" && node != nullptr && object->cage_mesh;
-  const bool runs = wanted && mode_of_holes(studio_, *node) == "remesh";
-  start_->setVisible(wanted && !runs);
-  const bool done = runs && !studio_.busy();
-  estimate_->setVisible(wanted && !done);
-  if (wanted) estimate_->setText(estimate_sentence(studio_, *node, *object->cage_mesh));
-}
-
-void HolePanel::follow_check() {
-  const auto& found = check_.found();
-  checked_->setVisible(found.has_value() || check_.busy());
-  const LeftOpen left = left_open(holes_.rows());
-  checked_->setText(found ? sentence_of(*found, left) : tr("Checking …"));
-  const bool fine = found && is_as_wanted(*found, left);
-  checked_->setStyleSheet(!found ? "" : fine ? "color: #6fd3b0" : "color: #ffb65c");
+Panel* make_hole_panel(ScanHoles& holes) {
+  auto* panel = new Panel("hole-panel");
+  panel->column()->setContentsMargins(6, 4, 6, 4);
+  panel->column()->setSpacing(4);
+  add_head(*panel, holes);
+  add_buttons(*panel, holes);
+  add_sizes(*panel, holes);
+  add_methods(*panel, holes);
+  add_shape(*panel, holes);
+  const auto button = [&](const char* action, const QString& text) {
+    return action_button(panel, holes, action, text);
+  };
+  panel->row({button("clear-handles", Panel::tr("Clear handles")), button("tint-patches", Panel::tr("Confidence")),
+              button("zebra", Panel::tr("Zebra"))});
+  add_mode(*panel, holes);
+  return panel;
 }
 
 }  // namespace croquis::app

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/holes/surface_check.h"
 
-#include <QMetaObject>
 #include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "croquis/base/error.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/surface_view.h"
 
@@ -137,25 +135,14 @@ QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
 }
 
 SurfaceCheck::SurfaceCheck(QObject* parent) : QObject(parent) {
-  thread_.setMaxThreadCount(1);
   pause_.setSingleShot(true);
   connect(&pause_, &QTimer::timeout, this, &SurfaceCheck::begin);
 }
 
-SurfaceCheck::~SurfaceCheck() {
-  stop();
-  thread_.waitForDone();
-}
-
-void SurfaceCheck::stop() {
-  if (cancelled_) *cancelled_ = true;
-  cancelled_.reset();
-  pause_.stop();
-}
-
 void SurfaceCheck::follow(std::shared_ptr<const PolyMesh> filled, std::shared_ptr<const PolyMesh> scan) {
   if (filled == filled_ && scan == scan_) return;
-  stop();
+  job_.cancel();
+  pause_.stop();
   filled_ = std::move(filled);
   scan_ = std::move(scan);
   found_.reset();
@@ -164,26 +151,12 @@ void SurfaceCheck::follow(std::shared_ptr<const PolyMesh> filled, std::shared_pt
 }
 
 void SurfaceCheck::begin() {
-  cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  thread_.start([this, cancelled = cancelled_, filled = filled_, scan = scan_] {
-    std::optional<CheckedSurface> found;
-    try {
-      Progress progress(nullptr, cancelled.get());
-      found = check_surface(*filled, scan.get(), progress);
-    } catch (const Cancelled&) {
-      return;
-    } catch (const Error&) {
-      return;  // a mesh that can't be checked is reported where it is made
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, cancelled, found] {
-          if (*cancelled) return;
-          found_ = found;
-          emit changed();
-        },
-        Qt::QueuedConnection);
-  });
+  job_.start(
+      [filled = filled_, scan = scan_](Progress& progress) { return check_surface(*filled, scan.get(), progress); },
+      [this](const std::optional<CheckedSurface>& found) {
+        found_ = found;
+        if (found) emit changed();
+      });
 }
 
 }  // namespace croquis::app

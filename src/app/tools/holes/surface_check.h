@@ -3,14 +3,12 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 #include <QTimer>
-#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <optional>
 
-#include "croquis/base/progress.h"
+#include "app/tools/background_job.h"
 #include "croquis/geometry/poly_mesh.h"
 
 namespace croquis::app {
@@ -57,7 +55,6 @@ class SurfaceCheck : public QObject {
 
  public:
   explicit SurfaceCheck(QObject* parent);
-  ~SurfaceCheck() override;
 
   /// Null meshes: there is nothing to be checked. The same ones as before: what was found stays.
   void follow(std::shared_ptr<const PolyMesh> filled, std::shared_ptr<const PolyMesh> scan);
@@ -70,14 +67,12 @@ class SurfaceCheck : public QObject {
 
  private:
   void begin();
-  void stop();
 
   std::shared_ptr<const PolyMesh> filled_;
   std::shared_ptr<const PolyMesh> scan_;
   std::optional<CheckedSurface> found_;
-  std::shared_ptr<std::atomic<bool>> cancelled_;
   QTimer pause_;
-  QThreadPool thread_;
+  BackgroundJob job_;
 };
 
 }  // namespace croquis::app

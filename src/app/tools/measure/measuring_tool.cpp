@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "app/replay/replays.h"
-#include "app/views/render_color.h"
+#include "app/tools/scene_parts.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/theme.h"
@@ -42,7 +42,7 @@ void MeasuringTool::make_actions(ActionList& actions) {
   QMenu* edit = actions.menu(tr("&Edit"));
   QAction* copy = actions.add(edit, "copy-measurement", tr("&Copy measurement"), {QKeySequence::Copy}, [this] {
     QApplication::clipboard()->setText(QString::fromStdString(measured_text(tool_.places())));
-    host().tell(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
+    host().say(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
   });
   edit->insertAction(actions.find("delete"), copy);
 }
@@ -65,23 +65,19 @@ std::optional<Vec3> MeasuringTool::place_under(const ViewFrame& frame, const Vec
   return ray.at(-ray.origin.z() / ray.direction.z());
 }
 
-void MeasuringTool::take(const PointerEvent& event) {
-  view_ = event.view;
-  bool changed = false;
-  for (const PenStep& step : pen_.handle(event)) {
-    feed(step);
-    changed = true;
+void MeasuringTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps) {
+    view_ = step.view;
+    const ViewFrame frame = host().viewport().frame_of(step.view);
+    if (tool_.handle({step.kind, step.sample.position, step.modifiers, frame, step.sample.time})) measured_anew();
   }
-  if (event.action == PointerEvent::Action::Leave)
-    changed = tool_.leave() || changed;
-  else if (!pen_.down())
-    changed = tool_.hover(event.position, host().viewport().frame_of(event.view)) || changed;
-  if (changed) emit Tool::changed();
+  emit changed();
 }
 
-void MeasuringTool::feed(const PenStep& step) {
-  const ViewFrame frame = host().viewport().frame_of(step.view);
-  if (tool_.handle({step.kind, step.sample.position, step.modifiers, frame, step.sample.time})) measured_anew();
+void MeasuringTool::hover(const PointerEvent& event) {
+  view_ = event.view;
+  const bool left = event.action == PointerEvent::Action::Leave;
+  if (left ? tool_.leave() : tool_.hover(event.position, host().viewport().frame_of(event.view))) emit changed();
 }
 
 void MeasuringTool::measured_anew() {
@@ -93,7 +89,7 @@ void MeasuringTool::make_replays(Replays& replays) {
   replays.on<recorded::Measure>([this](const recorded::Measure& step) {
     if (!active()) host().set_mode("measure");
     tool_.set_places(step.places);
-    emit Tool::changed();
+    emit changed();
     emit state_changed();
   });
   replays.ranges["measured"] = [this](const std::string&) {
@@ -106,13 +102,6 @@ void MeasuringTool::make_replays(Replays& replays) {
   };
 }
 
-bool MeasuringTool::abandon() {
-  if (!tool_.active()) return false;
-  for (const PenStep& step : pen_.cancel()) feed(step);
-  emit Tool::changed();
-  return true;
-}
-
 bool MeasuringTool::command(EditCommand command) {
   if (!active() || (command != EditCommand::SelectNone && command != EditCommand::Delete)) return false;
   const bool had_places = !tool_.places().empty();
@@ -121,33 +110,28 @@ bool MeasuringTool::command(EditCommand command) {
   else
     tool_.set_places({});
   if (had_places) measured_anew();
-  emit Tool::changed();
+  emit changed();
   return true;
 }
 
-QString MeasuringTool::help() const {
+ToolWords MeasuringTool::words() const {
   switch (tool_.places().size()) {
-    case 0: return tr("Click a place of the model: the nearest vertex, or the surface · Q goes back to selecting");
-    case 1: return tr("Click a second place for the distance · drag a place to move it · Escape starts again");
-    case 2: return tr("Click a third place for angle and radius · Ctrl+C copies · Escape starts again");
-    default: return tr("Ctrl+C copies what was measured · drag a place to move it · Escape starts again");
+    case 0: return {tr("Click a place of the model: the nearest vertex, or the surface · Q goes back to selecting")};
+    case 1: return {tr("Click a second place for the distance · drag a place to move it · Escape starts again")};
+    case 2: return {tr("Click a third place for angle and radius · Ctrl+C copies · Escape starts again")};
+    default: return {tr("Ctrl+C copies what was measured · drag a place to move it · Escape starts again")};
   }
 }
 
 void MeasuringTool::add_to(render::Scene& scene, int) {
   if (!active()) return;
   std::vector<render::Mark> marks;
-  render::LinePath path;
-  for (const Vec3& place : tool_.places()) {
-    marks.push_back(mark_at(place, place_pixels, colors::accent));
-    path.points.push_back({to_glm(place), 1, {}});
-  }
+  for (const Vec3& place : tool_.places()) marks.push_back(mark_at(place, place_pixels, colors::accent));
   if (tool_.hovered() && !pen_.down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
-  if (path.points.size() > 1) {
-    scene.lines.emplace_back(
-        render::make_line_item(path, {line_pixels, to_color(colors::accent), {}, render::LineDepth::OnTop}));
-  }
-  if (!marks.empty()) scene.marks.emplace_back(render::make_mark_item(marks));
+  std::vector<render::LinePath> paths;
+  if (tool_.places().size() > 1) paths.push_back(path_of(tool_.places(), to_glm));
+  add_items(scene, {lines_of(paths, {line_pixels, to_color(colors::accent), {}, render::LineDepth::OnTop})},
+            {marks_of(marks)});
 }
 
 void MeasuringTool::place_chips(ChipPlaces& places) {

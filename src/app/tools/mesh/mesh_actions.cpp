@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menus, keys and buttons of work on meshes.
-#include <QAction>
+#include "app/tools/mesh/mesh_actions.h"
+
 #include <QActionGroup>
-#include <QMenu>
 #include <QPushButton>
 #include <QToolBar>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "app/replay/replays.h"
+#include "app/tools/action_rows.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/views/viewport.h"
-#include "app/window/action_list.h"
 #include "croquis/base/error.h"
+#include "croquis/tools/mesh/mesh_steps.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -41,6 +46,211 @@ const std::set<std::string> own_actions{"move",   "rotate",   "scale",     "extr
                                         "delete", "dissolve", "sharpness", "pin"};
 
 const std::map<std::string, const char*> edit_keys{{"inset", "I"}};
+
+QString menu_text(const char* text) { return QObject::tr(text); }
+
+QList<QKeySequence> shortcuts(const char* first, const char* second = nullptr) {
+  QList<QKeySequence> keys{QKeySequence(first)};
+  if (second != nullptr) keys << QKeySequence(second);
+  return keys;
+}
+
+std::vector<ActionRow> conversions(MeshEditingTool& mesh) {
+  const auto to = [&mesh](MeshMode mode) {
+    return [&mesh, mode] { mesh.act([mode](MeshTool& tool) { return tool.selection().convert_to(mode); }); };
+  };
+  return {{},
+          {"to-vertices", menu_text("Selection to vertices"), shortcuts("Ctrl+F9"), to(MeshMode::Vertex)},
+          {"to-edges", menu_text("Selection to edges"), shortcuts("Ctrl+F10"), to(MeshMode::Edge)},
+          {"to-faces", menu_text("Selection to faces"), shortcuts("Ctrl+F11"), to(MeshMode::Face)},
+          {}};
+}
+
+std::vector<ActionRow> selections(MeshEditingTool& mesh) {
+  const auto by = [&mesh](Reselect how) {
+    return [&mesh, how] { mesh.act([how](MeshTool& tool) { return tool.selection().reselect(how); }); };
+  };
+  return {{"grow", menu_text("&Grow"), shortcuts(">", "Ctrl++"), by(Reselect::Grow)},
+          {"shrink", menu_text("S&hrink"), shortcuts("<", "Ctrl+-"), by(Reselect::Shrink)},
+          {"invert", menu_text("&Invert"), shortcuts("Ctrl+I"), by(Reselect::Invert)},
+          {},
+          {"select-loop", menu_text("Edge &loop"), shortcuts("Shift+L"), by(Reselect::Loop)},
+          {"select-ring", menu_text("Edge &ring"), shortcuts("Shift+R"), by(Reselect::Ring)},
+          {"select-between", menu_text("&Shortest path between two"), shortcuts("Shift+V"), by(Reselect::Between)},
+          {"select-connected", menu_text("All that is &connected"), shortcuts("Shift+K"), by(Reselect::Connected)},
+          {"select-chain", menu_text("C&hain of sharp edges"), shortcuts("Shift+C"), by(Reselect::Chain)},
+          {"select-tagged", menu_text("All sharp &edges"), shortcuts("Shift+T"), by(Reselect::Tagged)},
+          {"select-boundary", menu_text("&Boundary"), shortcuts("Shift+B"), by(Reselect::Boundary)},
+          {}};
+}
+
+/// The first ones have buttons.
+constexpr int tag_buttons = 4;
+
+std::vector<ActionRow> taggings(MeshEditingTool& mesh) {
+  const auto run = [&mesh](auto work) { return [&mesh, work] { mesh.act(work); }; };
+  return {
+      {"sharp", menu_text("S&harp"), shortcuts("H"),
+       run([](MeshTool& tool) { return tool.tags().tag(infinite_sharpness); })},
+      {"smooth", menu_text("S&mooth"), shortcuts("Shift+H"), run([](MeshTool& tool) { return tool.tags().untag(); })},
+      {"pin", menu_text("&Pin"), shortcuts("P"), run([](MeshTool& tool) { return tool.tags().pin(true); })},
+      {"unpin", menu_text("&Unpin"), shortcuts("Shift+P"), run([](MeshTool& tool) { return tool.tags().pin(false); })},
+      {"sharp-boundary", menu_text("Sharp &boundary"), {}, run([](MeshTool& tool) {
+         return tool.tags().tag_boundary();
+       })},
+      {"sharper", menu_text("Sharper by a half"), shortcuts("Ctrl+Up"),
+       run([](MeshTool& tool) { return tool.tags().change_sharpness(0.5); })},
+      {"softer", menu_text("Softer by a half"), shortcuts("Ctrl+Down"),
+       run([](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); })},
+      {"crease-set", menu_text("Crease &set of the selection"), {}, run(make_crease_set)}};
+}
+
+/// What the actions are made from, and where they go.
+struct Making {
+  MeshEditingTool& tool;
+  ToolHost& host;
+  ActionList& actions;
+  MeshActions made = {};
+};
+
+/// The tool reports what it did, and that is recorded: elements stay the same where menus change.
+QList<QAction*> add(Making& making, QMenu* menu, const std::vector<ActionRow>& rows) {
+  const QList<QAction*> added = add_rows(making.actions, menu, rows);
+  making.made.of_mesh << added;
+  return added;
+}
+
+void add_tip(QAction* action) {
+  action->setToolTip(action->text().remove('&') + " (" + action->shortcut().toString() + ")");
+}
+
+void add_handles(Making& making) {
+  QMenu* menu = making.actions.menu(menu_text("&Tool"));
+  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
+    making.actions.add_mode(menu, mode, text, key, [&host = making.host, mode] { host.set_mode(mode); });
+  };
+  add_mode("move", menu_text("&Move"), "W");
+  add_mode("rotate", menu_text("&Turn"), "E");
+  add_mode("scale", menu_text("S&cale"), "R");
+  add_mode("sharpen", menu_text("Change s&harpness"), "S");
+}
+
+void add_modes(Making& making, QMenu* menu) {
+  auto* modes = new QActionGroup(making.made.bar);
+  const auto add_mode = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
+    QAction* action = making.actions.add(menu, name, text, {QKeySequence(key)},
+                                         [&tool = making.tool, mode] { tool.set_mesh_mode(mode); });
+    action->setCheckable(true);
+    add_tip(action);
+    modes->addAction(action);
+    making.made.modes[mode] = action;
+    making.made.bar->addAction(action);
+  };
+  add_mode("object-mode", menu_text("&Objects"), "F8", MeshMode::Object);
+  add_mode("vertex-mode", menu_text("&Vertices"), "F9", MeshMode::Vertex);
+  add_mode("edge-mode", menu_text("&Edges"), "F10", MeshMode::Edge);
+  add_mode("face-mode", menu_text("&Faces"), "F11", MeshMode::Face);
+}
+
+void add_selections(Making& making, QMenu* menu) {
+  add(making, menu, selections(making.tool));
+  QAction* through = making.actions.add(menu, "select-through", menu_text("Select t&hrough"), {QKeySequence("Ctrl+T")},
+                                        [&tool = making.tool, &host = making.host] {
+                                          tool.tool().set_pick_through(host.action("select-through")->isChecked());
+                                        });
+  through->setCheckable(true);
+  making.made.of_mesh << through;
+}
+
+/// From the edits' own descriptions: a new edit needs no line here.
+void add_edits(Making& making, QMenu* menu) {
+  for (const Edit& edit : all_edits()) {
+    const EditDescription& description = edit.description;
+    if (own_actions.contains(description.id)) continue;
+    QList<QKeySequence> keys;
+    if (const auto key = edit_keys.find(description.id); key != edit_keys.end()) keys << QKeySequence(key->second);
+    const auto work = [&tool = making.tool, id = description.id] {
+      tool.act([&](MeshTool& mesh) { return mesh.edits().begin(id); });
+    };
+    QAction* action = making.actions.add(menu, QString::fromStdString("edit-" + description.id),
+                                         QString::fromStdString(description.title), keys, work, Recorded::ByItself);
+    action->setToolTip(QString::fromStdString(description.sentence));
+    making.made.edits.emplace_back(action, description);
+  }
+}
+
+void add_shapes(Making& making, QMenu* menu) {
+  const auto extrude = [&tool = making.tool, &host = making.host] {
+    tool.act([&host](MeshTool& mesh) {
+      const Verdict verdict = mesh.edits().extrude_along_normal(extrusion_distance(mesh));
+      if (verdict == Verdict::Commit) host.set_mode("move");
+      return verdict;
+    });
+  };
+  add(making, menu, {{"extrude", menu_text("E&xtrude faces"), shortcuts("Shift+E"), extrude}});
+  making.made.of_mesh << making.actions.add(menu, "loop-cut", menu_text("&Loop cut"), {QKeySequence("K")},
+                                            [&tool = making.tool] {
+                                              tool.tool().arm_loop_cut(true);
+                                              tool.follow();
+                                              emit tool.state_changed();
+                                            });
+  add_edits(making, menu->addMenu(menu_text("Edit ele&ments")));
+}
+
+/// The object of that name, else the one with such a node in its chain.
+const WorkObject& object_with_node(const Studio& studio, const std::string& name) {
+  for (const auto& node : studio.session().document().nodes()) {
+    const WorkObject* object = node->name == name ? studio.object(node->id) : nullptr;
+    if (object != nullptr && object->node != node->id && !object->begins_with_mesh) return *object;
+  }
+  return object_named(studio, name);
+}
+
+/// A click or drag between places of the model, as a recording has it. @param clicks 2 for a double click
+void play_drag(MeshEditingTool& mesh, const std::string& view_name, const Vec3& from, const Vec3& to,
+               const std::vector<std::string>& modifiers, int clicks = 1) {
+  const int view = view_of(view_name);
+  MeshEvent event;
+  event.frame = mesh.frame_in(view);
+  event.modifiers = modifiers_of(modifiers);
+  const auto start = event.frame.project(from);
+  const auto end = event.frame.project(to);
+  if (!start || !end) return;
+  for (int click = 0; click < clicks; ++click) {
+    event.time = 0.01 * click;
+    event.kind = PenStep::Kind::Begin;
+    event.pixel = start->pixel;
+    mesh.handle(event, view);
+    constexpr int moves = 4;
+    event.kind = PenStep::Kind::Sample;
+    for (int k = 1; k <= moves && from != to; ++k) {
+      event.pixel = start->pixel + (end->pixel - start->pixel) * k / moves;
+      mesh.handle(event, view);
+    }
+    event.kind = PenStep::Kind::End;
+    event.pixel = end->pixel;
+    mesh.handle(event, view);
+  }
+}
+
+void play_on_mesh(MeshEditingTool& mesh, Studio& studio, const std::string& node, const recorded::Step& step) {
+  MeshTool& tool = mesh.tool();
+  if (const auto* pick = step.as<recorded::Pick>()) {
+    const MeshMode mode = mode_of(kind_of_singular(pick->kind).value_or(ComponentKind::Edge));
+    if (tool.selection().mode() != mode) mesh.set_mesh_mode(mode);
+  }
+  if (!node.empty()) studio.set_active(object_with_node(studio, node).node);
+  if (const auto* edit = step.as<recorded::EditStep>(); edit != nullptr && studio.active()->cage == 0) {
+    mesh.set_mesh_mode(mode_of(edit->line.target.kind));  // begins the work on a computed mesh
+  }
+  mesh.follow();
+  const MeshMode before = tool.selection().mode();
+  tool.replay(step);
+  mesh.follow();
+  const MeshMode after = tool.selection().mode();
+  if (after != before) mesh.enter_mesh_mode(after);  // the window's buttons follow
+  mesh.refresh();
+}
 
 constexpr double far_off = 10;  // times larger or smaller
 
@@ -80,7 +290,7 @@ std::optional<double> scale_factor(const Studio& studio) {
 /// Where the sizes differ so much that one is a dot beside the other; else empty.
 QString scale_sentence(const Studio& studio) {
   const auto by = scale_factor(studio);
-  if (!by || (*by<far_off&& * by> 1 / far_off)) return {};
+  if (!by || std::max(*by, 1 / *by) < far_off) return {};
   const QString name = QString::fromStdString(studio.active()->name);
   return *by > 1 ? QObject::tr("%1 is %2 times smaller than the rest").arg(name, times(*by))
                  : QObject::tr("%1 is %2 times larger than the rest").arg(name, times(1 / *by));
@@ -105,173 +315,101 @@ void scale_to_scene(Studio& studio) {
 
 }  // namespace
 
-QAction* MeshEditingTool::add(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
-                              const QList<QKeySequence>& keys, std::function<Verdict(MeshTool&)> work) {
-  // The tool reports what it did, and that is recorded: elements stay the same where menus change.
-  QAction* action = actions.add(
-      menu, name, text, keys, [this, work = std::move(work)] { act(work); }, Recorded::ByItself);
-  mesh_actions_ << action;
-  return action;
+Verdict make_crease_set(MeshTool& tool) {
+  const auto mesh = tool.editable().mesh();
+  return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
 }
 
-void MeshEditingTool::make_actions(ActionList& actions) {
-  make_handle_actions(actions);
-  bar_ = actions.bar("mesh-tools", tr("Mesh"));
-  QMenu* menu = actions.menu(tr("&Mesh"));
-  make_mode_actions(actions, menu);
-  make_selection_actions(actions, menu);
-  make_shape_actions(actions, menu);
-  make_scale_actions(actions, menu);
-  make_tag_actions(actions, menu);
+void refresh_mesh_actions(const MeshActions& made, MeshTool& tool, ToolHost& host, bool picks_elements) {
+  const WorkObject* object = host.studio().active();
+  const bool mesh = object != nullptr && object->cage != 0;
+  for (QAction* action : made.of_mesh) action->setEnabled(mesh);
+  // Objects are grouped by the same key.
+  host.action("crease-set")->setEnabled(mesh && picks_elements);
+  host.action("crease-set")->setShortcut(picks_elements ? QKeySequence("Ctrl+G") : QKeySequence());
+  // Picking elements begins the work on a computed mesh.
+  for (const auto& [mode, action] : made.modes) action->setEnabled(object != nullptr && object->editable != 0);
+  made.modes.at(tool.selection().mode())->setChecked(true);
+  for (const char* name : {"move", "rotate", "scale"}) host.action(name)->setEnabled(object != nullptr);
+  host.action("sharpen")->setEnabled(mesh);
+  for (const auto& [action, edit] : made.edits) action->setEnabled(mesh && tool.edits().fits_selection(edit));
+  made.scale->follow();
 }
 
-void MeshEditingTool::make_handle_actions(ActionList& actions) {
-  QMenu* menu = actions.menu(tr("&Tool"));
-  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
-    actions.add_mode(menu, mode, text, key, [this, mode] { host().set_mode(mode); });
-  };
-  add_mode("move", tr("&Move"), "W");
-  add_mode("rotate", tr("&Turn"), "E");
-  add_mode("scale", tr("S&cale"), "R");
-  add_mode("sharpen", tr("Change s&harpness"), "S");
-}
-
-void MeshEditingTool::make_mode_actions(ActionList& actions, QMenu* menu) {
-  auto* modes = new QActionGroup(bar_);
-  const auto add_mode = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
-    QAction* action = actions.add(menu, name, text, {QKeySequence(key)}, [this, mode] { set_mesh_mode(mode); });
-    action->setCheckable(true);
-    action->setToolTip(action->text().remove('&') + " (" + key + ")");
-    modes->addAction(action);
-    mode_actions_[mode] = action;
-    bar_->addAction(action);
-  };
-  add_mode("object-mode", tr("&Objects"), "F8", MeshMode::Object);
-  add_mode("vertex-mode", tr("&Vertices"), "F9", MeshMode::Vertex);
-  add_mode("edge-mode", tr("&Edges"), "F10", MeshMode::Edge);
-  add_mode("face-mode", tr("&Faces"), "F11", MeshMode::Face);
+MeshActions make_mesh_actions(MeshEditingTool& tool, ToolHost& host, ActionList& actions) {
+  Making making{tool, host, actions};
+  add_handles(making);
+  making.made.bar = actions.bar("mesh-tools", menu_text("Mesh"));
+  QMenu* menu = actions.menu(menu_text("&Mesh"));
+  add_modes(making, menu);
+  add(making, menu, conversions(making.tool));
+  add_selections(making, menu->addMenu(menu_text("&Select")));
+  add_shapes(making, menu);
+  making.made.scale = std::make_unique<ScaleOffer>(host, actions, menu);
   menu->addSeparator();
-  const auto add_conversion = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
-    add(actions, menu, name, text, {QKeySequence(key)},
-        [mode](MeshTool& tool) { return tool.selection().convert_to(mode); });
-  };
-  add_conversion("to-vertices", tr("Selection to vertices"), "Ctrl+F9", MeshMode::Vertex);
-  add_conversion("to-edges", tr("Selection to edges"), "Ctrl+F10", MeshMode::Edge);
-  add_conversion("to-faces", tr("Selection to faces"), "Ctrl+F11", MeshMode::Face);
-  menu->addSeparator();
-}
-
-void MeshEditingTool::make_selection_actions(ActionList& actions, QMenu* menu) {
-  QMenu* selection = menu->addMenu(tr("&Select"));
-  const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys, Reselect how) {
-    this->add(actions, selection, name, text, keys, [how](MeshTool& tool) { return tool.selection().reselect(how); });
-  };
-  add("grow", tr("&Grow"), {QKeySequence(">"), QKeySequence("Ctrl++")}, Reselect::Grow);
-  add("shrink", tr("S&hrink"), {QKeySequence("<"), QKeySequence("Ctrl+-")}, Reselect::Shrink);
-  add("invert", tr("&Invert"), {QKeySequence("Ctrl+I")}, Reselect::Invert);
-  selection->addSeparator();
-  add("select-loop", tr("Edge &loop"), {QKeySequence("Shift+L")}, Reselect::Loop);
-  add("select-ring", tr("Edge &ring"), {QKeySequence("Shift+R")}, Reselect::Ring);
-  add("select-between", tr("&Shortest path between two"), {QKeySequence("Shift+V")}, Reselect::Between);
-  add("select-connected", tr("All that is &connected"), {QKeySequence("Shift+K")}, Reselect::Connected);
-  add("select-chain", tr("C&hain of sharp edges"), {QKeySequence("Shift+C")}, Reselect::Chain);
-  add("select-tagged", tr("All sharp &edges"), {QKeySequence("Shift+T")}, Reselect::Tagged);
-  add("select-boundary", tr("&Boundary"), {QKeySequence("Shift+B")}, Reselect::Boundary);
-  selection->addSeparator();
-  QAction* through = actions.add(selection, "select-through", tr("Select t&hrough"), {QKeySequence("Ctrl+T")},
-                                 [this] { tool_.set_pick_through(host().action("select-through")->isChecked()); });
-  through->setCheckable(true);
-  mesh_actions_ << through;
-}
-
-void MeshEditingTool::make_shape_actions(ActionList& actions, QMenu* menu) {
-  add(actions, menu, "extrude", tr("E&xtrude faces"), {QKeySequence("Shift+E")}, [this](MeshTool& tool) {
-    const Verdict verdict = tool.edits().extrude_along_normal(extrusion_distance(tool));
-    if (verdict == Verdict::Commit) host().set_mode("move");
-    return verdict;
-  });
-  actions.add(menu, "loop-cut", tr("&Loop cut"), {QKeySequence("K")}, [this] {
-    tool_.arm_loop_cut(true);
-    follow();
-    emit state_changed();
-  });
-  mesh_actions_ << host().action("loop-cut");
-  make_edit_actions(actions, menu->addMenu(tr("Edit ele&ments")));
-}
-
-/// From the edits' own descriptions: a new edit needs no line here.
-void MeshEditingTool::make_edit_actions(ActionList& actions, QMenu* menu) {
-  for (const Edit& edit : all_edits()) {
-    const EditDescription& description = edit.description;
-    if (own_actions.contains(description.id)) continue;
-    QList<QKeySequence> keys;
-    if (const auto key = edit_keys.find(description.id); key != edit_keys.end()) keys << QKeySequence(key->second);
-    QAction* action = actions.add(
-        menu, QString::fromStdString("edit-" + description.id), QString::fromStdString(description.title), keys,
-        [this, id = description.id] { act([&](MeshTool& tool) { return tool.edits().begin(id); }); },
-        Recorded::ByItself);
-    action->setToolTip(QString::fromStdString(description.sentence));
-    edit_actions_.push_back({action, description});
+  making.made.bar->addSeparator();
+  for (QAction* action : add(making, menu, taggings(making.tool)).first(tag_buttons)) {
+    add_tip(action);
+    making.made.bar->addAction(action);
   }
+  return std::move(making.made);
 }
 
-void MeshEditingTool::make_scale_actions(ActionList& actions, QMenu* menu) {
-  actions.add(menu, "scale-to-scene", tr("Scale t&o the scene"), {}, [this] {
-    if (host().attempt([this] { scale_to_scene(studio()); })) host().viewport().frame_all();
+void add_mesh_replays(Replays& replays, MeshEditingTool& mesh, Studio& studio) {
+  replays.on<recorded::ModelDrag>(
+      [&mesh](const recorded::ModelDrag& drag) { play_drag(mesh, drag.view, drag.from, drag.to, drag.modifiers); });
+  replays.on<recorded::Click>([&mesh](const recorded::Click& click) {
+    if (click.place) play_drag(mesh, click.view, *click.place, *click.place, click.modifiers, click.clicks);
+    return click.place.has_value();
   });
-  scale_offer_ = new QPushButton(&host().viewport());
-  scale_offer_->setObjectName("scale-offer");
-  scale_offer_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
-  scale_offer_->setToolTip(tr("Gives it the size of everything else; undo takes it back"));
-  connect(scale_offer_, &QPushButton::clicked, host().action("scale-to-scene"), &QAction::trigger);
-  host().add_status_widget(*scale_offer_);
-  scale_offer_->hide();
-}
-
-void MeshEditingTool::offer_scale() {
-  const WorkObject* object = studio().active();
-  scale_offered_ = object == nullptr ? 0 : object->node;
-  scale_offered_at_ = studio().session().undo_labels().size();
-  follow_scale();
-}
-
-void MeshEditingTool::follow_scale() {
-  const WorkObject* object = studio().active();
-  const bool offered = object != nullptr && object->node == scale_offered_ &&
-                       studio().session().undo_labels().size() == scale_offered_at_ && host().shows_views();
-  const QString sentence = offered ? scale_sentence(studio()) : QString();
-  scale_offer_->setText(tr("%1: scale to the scene").arg(sentence));
-  scale_offer_->setVisible(!sentence.isEmpty());
-  host().action("scale-to-scene")->setEnabled(scale_factor(studio()).has_value());
-}
-
-void MeshEditingTool::make_tag_actions(ActionList& actions, QMenu* menu) {
-  menu->addSeparator();
-  const auto add = [&](const QString& name, const QString& text, const QString& key,
-                       std::function<Verdict(MeshTool&)> work) {
-    QAction* action = this->add(actions, menu, name, text, {QKeySequence(key)}, std::move(work));
-    action->setToolTip(action->text().remove('&') + " (" + key + ")");
-    bar_->addAction(action);
-  };
-  bar_->addSeparator();
-  add("sharp", tr("S&harp"), "H", [](MeshTool& tool) { return tool.tags().tag(infinite_sharpness); });
-  add("smooth", tr("S&mooth"), "Shift+H", [](MeshTool& tool) { return tool.tags().untag(); });
-  add("pin", tr("&Pin"), "P", [](MeshTool& tool) { return tool.tags().pin(true); });
-  add("unpin", tr("&Unpin"), "Shift+P", [](MeshTool& tool) { return tool.tags().pin(false); });
-  this->add(actions, menu, "sharp-boundary", tr("Sharp &boundary"), {},
-            [](MeshTool& tool) { return tool.tags().tag_boundary(); });
-  this->add(actions, menu, "sharper", tr("Sharper by a half"), {QKeySequence("Ctrl+Up")},
-            [](MeshTool& tool) { return tool.tags().change_sharpness(0.5); });
-  this->add(actions, menu, "softer", tr("Softer by a half"), {QKeySequence("Ctrl+Down")},
-            [](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); });
-  this->add(actions, menu, "crease-set", tr("Crease &set of the selection"), {}, [](MeshTool& tool) {
-    const auto mesh = tool.editable().mesh();
-    return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+  replays.on<recorded::Box>([&mesh](const recorded::Box& box) {
+    const bool is_in_space = box.from_place && box.to_place;
+    if (is_in_space) play_drag(mesh, box.view, *box.from_place, *box.to_place, box.modifiers);
+    return is_in_space;
   });
+  // Those that need no view.
+  const auto play = [&mesh, &studio](const auto& step) { play_on_mesh(mesh, studio, step.node, step); };
+  replays.on<recorded::Pick>(play);
+  replays.on<recorded::Move>(play);
+  replays.on<recorded::Rotate>(play);
+  replays.on<recorded::Scale>(play);
+  replays.on<recorded::Tag>(play);
+  replays.on<recorded::Pin>(play);
+  replays.on<recorded::TagSet>(play);
+  replays.on<recorded::Extrude>(play);
+  replays.on<recorded::LoopCut>(play);
+  replays.on<recorded::EditStep>(play);
 }
 
-QStringList MeshEditingTool::marking_menu(int) const {
-  return {"vertex-mode", "edge-mode", "sharp", "pin", "object-mode", "unpin", "smooth", "face-mode"};
+ScaleOffer::ScaleOffer(ToolHost& host, ActionList& actions, QMenu* menu)
+    : host_(host), button_(new QPushButton(&host.viewport())) {
+  actions.add(menu, "scale-to-scene", QObject::tr("Scale t&o the scene"), {}, [&host] {
+    if (host.attempt([&host] { scale_to_scene(host.studio()); })) host.viewport().frame_all();
+  });
+  button_->setObjectName("scale-offer");
+  button_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
+  button_->setToolTip(QObject::tr("Gives it the size of everything else; undo takes it back"));
+  QObject::connect(button_, &QPushButton::clicked, host.action("scale-to-scene"), &QAction::trigger);
+  host.add_status_widget(*button_);
+  button_->hide();
+}
+
+void ScaleOffer::offer() {
+  const WorkObject* object = host_.studio().active();
+  offered_ = object == nullptr ? 0 : object->node;
+  offered_at_ = host_.studio().session().undo_labels().size();
+  follow();
+}
+
+void ScaleOffer::follow() {
+  const Studio& studio = host_.studio();
+  const WorkObject* object = studio.active();
+  const bool offered = object != nullptr && object->node == offered_ &&
+                       studio.session().undo_labels().size() == offered_at_ && host_.shows_views();
+  const QString sentence = offered ? scale_sentence(studio) : QString();
+  button_->setText(QObject::tr("%1: scale to the scene").arg(sentence));
+  button_->setVisible(!sentence.isEmpty());
+  host_.action("scale-to-scene")->setEnabled(scale_factor(studio).has_value());
 }
 
 }  // namespace croquis::app

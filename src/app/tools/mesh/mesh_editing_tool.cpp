@@ -2,30 +2,20 @@
 #include "app/tools/mesh/mesh_editing_tool.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QLabel>
-#include <QPushButton>
 #include <QToolBar>
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/finding_elements.h"
-#include "app/replay/replays.h"
-#include "app/tools/mesh/mesh_panels.h"
+#include "app/panels/number_box.h"
 #include "app/views/own_space.h"
 #include "app/views/viewport.h"
-#include "app/window/panel_docks.h"
+#include "croquis/base/error.h"
 #include "croquis/render/sharpness_color.h"
-#include "croquis/tools/mesh/mesh_steps.h"
-#include "croquis/tools/recording/general_steps.h"
-#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
-
-constexpr const char* value_style =
-    "background: #2b2d31; color: #f2f3f5; border: 1px solid #609ce6; border-radius: 5px; padding: 1px 6px;"
-    " font-size: 12px";
-constexpr QPointF value_offset(14, -24);
 
 /// The modes that are about meshes, with what a drag does in them.
 const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Select},
@@ -33,15 +23,6 @@ const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Selec
                                                 {"rotate", MeshHandles::Rotate},
                                                 {"scale", MeshHandles::Scale},
                                                 {"sharpen", MeshHandles::Sharpen}};
-
-/// The object of that name, else the one with such a node in its chain.
-const WorkObject& object_with_node(const Studio& studio, const std::string& name) {
-  for (const auto& node : studio.session().document().nodes()) {
-    const WorkObject* object = node->name == name ? studio.object(node->id) : nullptr;
-    if (object != nullptr && object->node != node->id && !object->begins_with_mesh) return *object;
-  }
-  return object_named(studio, name);
-}
 
 /// The colours of tagged edges with what they mean.
 Legend* make_sharpness_legend(QWidget* views) {
@@ -59,69 +40,214 @@ Legend* make_sharpness_legend(QWidget* views) {
                     MeshEditingTool::tr("Colours of tagged edges by sharpness"), std::move(rows));
 }
 
+/// What a drag of a handle has done, as it stands at the pointer.
+QString motion_text(const ManipulatorMotion& motion, MeshHandles handles) {
+  const auto all = [](const Vec3& vector) {
+    return MeshEditingTool::tr("x %1  y %2  z %3")
+        .arg(number_words(vector.x()), number_words(vector.y()), number_words(vector.z()));
+  };
+  if (handles == MeshHandles::Rotate) return number_words(motion.degrees) + QStringLiteral("°");
+  if (handles == MeshHandles::Move) return number_words(motion.by.norm()) + "   " + all(motion.by);
+  const bool is_even = motion.factors.isApprox(Vec3::Constant(motion.factors.x()));
+  return is_even ? QStringLiteral("× ") + number_words(motion.factors.x())
+                 : QStringLiteral("×   ") + all(motion.factors);
+}
+
+QString sharpness_text(double sharpness) {
+  return std::isinf(sharpness) ? QStringLiteral("∞") : number_words(sharpness);
+}
+
+QString help_on_elements(MeshMode mode, bool selected) {
+  const auto tr = [](const char* text) { return MeshEditingTool::tr(text); };
+  if (mode == MeshMode::Edge) {
+    return selected ? tr("H makes them sharp, Shift+H smooth · right button: the menu · W moves · Ctrl+Z undoes")
+                    : tr("Click an edge, double click its loop · drag a box · Shift adds, Ctrl takes away");
+  }
+  if (mode == MeshMode::Vertex) {
+    return selected ? tr("W moves, E rotates, R scales · P pins, Shift+P lets go · Delete dissolves")
+                    : tr("Click a vertex or drag a box · Shift adds, Ctrl takes away");
+  }
+  return selected ? tr("Shift+E extrudes · W moves, E rotates, R scales · Delete removes")
+                  : tr("Click a face, double click all that is connected · Shift adds, Ctrl takes away");
+}
+
+/// Of the drag of a handle under way; null without one.
+const ManipulatorMotion* motion_of(const MeshTool& tool, const ObjectMover& mover) {
+  const auto& of_elements = tool.preview().motion;
+  return of_elements ? &*of_elements : mover.motion();
+}
+
+QString help_of(const MeshTool& tool, const ObjectMover& mover, ToolHost& host) {
+  const auto tr = [](const char* text) { return MeshEditingTool::tr(text); };
+  const Studio& studio = host.studio();
+  if (const auto* motion = motion_of(tool, mover))
+    return tr("%1 · Ctrl at the beginning snaps · Escape gives it up").arg(motion_text(*motion, tool.handles()));
+  if (const auto& change = tool.preview().sharpness_change)
+    return tr("Sharpness %1%2: drag sideways").arg(*change < 0 ? "" : "+").arg(*change, 0, 'f', 2);
+  if (tool.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
+  if (tool.selection().mode() != MeshMode::Object)
+    return help_on_elements(tool.selection().mode(), !studio.session().components().empty());
+  if (const QString offer = studio.active() == nullptr ? QString() : host.offer(); !offer.isEmpty()) return offer;
+  if (mover.manipulator()) return tr("Drag a handle · Ctrl snaps · Shift picks several · Ctrl+D duplicates");
+  return tr("O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
+}
+
+ManipulatorKind manipulator_of(MeshHandles handles) {
+  if (handles == MeshHandles::Move) return ManipulatorKind::Move;
+  if (handles == MeshHandles::Rotate) return ManipulatorKind::Rotate;
+  return handles == MeshHandles::Scale ? ManipulatorKind::Scale : ManipulatorKind::None;
+}
+
 }  // namespace
 
 MeshEditingTool::MeshEditingTool(ToolHost& host)
     : Tool(host, "Meshes"),
       tool_(host.studio()),
-      mover_(host.studio()),
+      objects_(host.studio()),
       legend_(make_sharpness_legend(&host.viewport())),
-      value_(make_chip_label(host.viewport(), value_style)) {
-  value_->setObjectName("edge-value");
-  connect(this, &Tool::committed, this, &MeshEditingTool::show_last_edit);
+      value_(host.viewport()) {
+  drags_leave_views_ = true;
 }
 
-void MeshEditingTool::make_panels(PanelDocks& panels) {
-  panels_ = &panels;
+void MeshEditingTool::make_panels(PanelDocks& docks) {
   for (const char* name : {"show-cage", "show-both", "show-smooth"}) {
-    const QAction* view = host().action(name);
-    connect(view, &QAction::triggered, this, [this, view] { hide_cage(view->objectName() == "show-smooth"); });
+    // A mode that picks elements shows the cage again.
+    connect(host().action(name), &QAction::triggered, this, [this, hides = std::string(name) == "show-smooth"] {
+      cage_hidden_ = hides && !picks_objects();
+      follow();
+    });
   }
-  tags_ = new TagPanel(*this, nullptr);
-  sets_ = new CreaseSetPanel(*this, nullptr);
-  edges_dock_ = panels.add_column(tr("Sharp edges"), tags_, "edges");
-  sets_dock_ = panels.add(tr("Crease sets"), sets_, "sets");
-  // Below the attributes, in one place.
-  panels.split_below("attributes", edges_dock_);
-  panels.tabify("edges", sets_dock_);
-  edges_dock_->raise();
-  last_edit_ = new EditPanel(*this, nullptr);
-  last_edit_dock_ = panels.add_column(tr("Last edit"), last_edit_, "last-edit");
+  panels_ = std::make_unique<MeshPanels>(*this, docks);
+  connect(this, &Tool::committed, this, [this] { panels_->show_last_edit(); });
 }
 
-/// A single object that comes from a drawing needs no picking: a plain drag rotates the view then.
-bool MeshEditingTool::works() const {
-  const std::size_t enough = mode() == select_mode ? 2 : 1;
-  return mesh_modes.contains(mode()) && (has_cage(studio()) || studio().objects().size() >= enough);
-}
-
-/// Objects aren't moved on the sheets that they are drawn on.
-bool MeshEditingTool::works_in(int view) const {
-  return works() && (has_cage(studio()) || !host().viewport().is_drawn_on(view));
+void MeshEditingTool::refresh() {
+  const WorkObject* object = studio().active();
+  const Tool* at_work = host().viewport().tool_in(PerspectiveView);
+  const bool useful = object != nullptr && object->cage != 0 && (at_work == nullptr || at_work == this);
+  refresh_mesh_actions(actions_, tool_, host(), state().picks_elements);
+  actions_.bar->setVisible(useful && host().shows_views());
+  panels_->follow(studio().session().components(), useful);
 }
 
 void MeshEditingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
-  const auto handles = mesh_modes.find(mode);
-  studio().set_edits_elements(handles != mesh_modes.end() && tool_.selection().mode() != MeshMode::Object);
-  set_handles(handles == mesh_modes.end() ? MeshHandles::Select : handles->second);
+  const auto found = mesh_modes.find(mode);
+  const MeshHandles handles = found == mesh_modes.end() ? MeshHandles::Select : found->second;
+  studio().set_edits_elements(found != mesh_modes.end() && !picks_objects());
+  tool_.set_handles(handles);
+  objects_.mover().set_kind(manipulator_of(handles));
+  follow();
+  emit state_changed();
 }
 
 void MeshEditingTool::set_mesh_mode(MeshMode mode) {
-  if (!mesh_modes.contains(this->mode())) host().set_mode(select_mode);
+  if (!mesh_modes.contains(mode_)) host().set_mode(select_mode);
   enter_mesh_mode(mode);
 }
 
-/// Elements of meshes, and the cage of a step that another tool's panels are about.
-bool MeshEditingTool::open_step(const Node& step) {
-  const OperationDescription* operation = studio().description(step.operation);
-  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
-  const bool has_elements = mesh_in(step) != nullptr || (input != nullptr && input->type == ValueType::Mesh);
-  if (has_elements && !mesh_modes.contains(mode())) host().set_mode(select_mode);
-  return has_elements;
+void MeshEditingTool::enter_mesh_mode(MeshMode mode) {
+  cage_hidden_ = false;
+  studio().set_edits_elements(mode != MeshMode::Object);
+  tool_.selection().set_mode(mode);
+  follow();
+  emit state_changed();
 }
 
-// ---- Keys of the Edit menu
+void MeshEditingTool::follow() {
+  const WorkObject* object = studio().active();
+  const NodeId cage = object == nullptr ? 0 : object->cage;
+  if (tool_.editable().node() != cage && !tool_.active()) tool_.set_node(cage);
+  overlay_.follow(tool_, studio().session().components(), object, host().viewport().objects().cage_item(cage),
+                  !cage_hidden_);
+  emit changed();
+}
+
+// ---- How it stands
+
+/// Works while the mode is one of its own and there is something to work on. A single object that comes from a drawing
+/// needs no picking: a plain drag rotates the view then. Objects aren't moved on the sheets that they are drawn on.
+ViewUse MeshEditingTool::use_of(int) const {
+  const std::size_t enough = mode_ == select_mode ? 2 : 1;
+  const bool on_cage = has_cage(studio());
+  return {.works = mesh_modes.contains(mode_) && (on_cage || studio().objects().size() >= enough),
+          .on_drawings = on_cage,
+          .menu = {"vertex-mode", "edge-mode", "sharp", "pin", "object-mode", "unpin", "smooth", "face-mode"}};
+}
+
+ToolState MeshEditingTool::state() const {
+  return {.has_selection = !studio().session().components().empty(),
+          .picks_elements = use_of(PerspectiveView).works && !picks_objects()};
+}
+
+ToolWords MeshEditingTool::words() const { return {help_of(tool_, objects_.mover(), host())}; }
+
+// ---- The pointer
+
+void MeshEditingTool::act(const std::function<Verdict(MeshTool&)>& work) {
+  attempt(work);
+  follow();
+}
+
+void MeshEditingTool::attempt(const std::function<Verdict(MeshTool&)>& work) {
+  try {
+    if (work(tool_) != Verdict::Commit) return;
+    if (tool_.done()) emit committed(*tool_.done());
+    host().say(sentences_of(tool_.notes()));
+  } catch (const Error& error) {
+    host().say(sentences_of(error.findings()));
+  }
+}
+
+bool MeshEditingTool::abandon() {
+  if (Tool::abandon()) return true;
+  if (!tool_.loop_cut_armed()) return false;
+  tool_.arm_loop_cut(false);
+  follow();
+  return true;
+}
+
+void MeshEditingTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps)
+    handle({step.kind, step.sample.position, step.modifiers, frame_in(step.view), step.sample.time}, step.view);
+}
+
+void MeshEditingTool::handle(const MeshEvent& event, int view) {
+  gesture_view_ = view;
+  attempt([&](MeshTool& tool) { return tool.handle(event); });
+  const bool is_free = picks_objects() && !tool_.active();
+  if (objects_.active() || (is_free && event.kind == PenStep::Kind::Begin)) {
+    if (const auto done = objects_.handle(event, view)) emit committed(*done);
+  }
+  value_.hide();
+  if (const auto* motion = motion_of(tool_, objects_.mover()))
+    value_.show(view, event.pixel, motion_text(*motion, tool_.handles()));
+  show_hover();
+}
+
+void MeshEditingTool::hover(const PointerEvent& event) {
+  const bool leaves = event.action == PointerEvent::Action::Leave;
+  const ViewFrame frame = frame_in(event.view);
+  if (!leaves) gesture_view_ = event.view;
+  ObjectMover& mover = objects_.mover();
+  const bool on_handle = leaves ? mover.leave() : picks_objects() && mover.hover(event.position, frame);
+  const bool moved = leaves ? tool_.leave() : tool_.hover(event.position, frame);
+  value_.hide();
+  if (const auto& sharpness = tool_.preview().hovered_sharpness; sharpness && !leaves)
+    value_.show(event.view, event.position, sharpness_text(*sharpness));
+  if (moved || on_handle || value_.shown()) show_hover();
+}
+
+void MeshEditingTool::show_hover() {
+  overlay_.follow_hover(tool_, host().viewport().objects().cage_item(tool_.editable().node()));
+  emit changed();
+}
+
+/// Elements lie in the space of their object, objects in the model's.
+ViewFrame MeshEditingTool::frame_in(int view) const {
+  return picks_objects() && !tool_.loop_cut_armed() ? host().viewport().frame_of(view)
+                                                    : host().viewport().own_frame_of(view);
+}
 
 bool MeshEditingTool::command(EditCommand command) {
   if (command == EditCommand::SelectNone) {
@@ -129,129 +255,70 @@ bool MeshEditingTool::command(EditCommand command) {
     return false;  // objects are deselected, too
   }
   const bool selects = command == EditCommand::SelectAll;
-  if (!picks_elements() || !(selects || command == EditCommand::Delete)) return false;
+  if (!state().picks_elements || !(selects || command == EditCommand::Delete)) return false;
   act([=](MeshTool& tool) { return selects ? tool.selection().select_all() : tool.edits().delete_selected(); });
   return true;
 }
 
-bool MeshEditingTool::has_selection() const { return !studio().session().components().empty(); }
-
-bool MeshEditingTool::pick(ComponentKind kind, const std::vector<Index>& elements) {
-  if (elements.empty()) return false;
-  follow();
-  set_mesh_mode(mode_of(kind));
-  follow();
-  act([&](MeshTool& tool) { return tool.selection().pick(kind, elements); });
-  return true;
-}
-
-bool MeshEditingTool::show_finding(const NodeFinding& found) {
-  studio().set_active(found.node);
+bool MeshEditingTool::show(const Target& target) {
+  if (const auto* step = std::get_if<const Node*>(&target)) {
+    // Elements of meshes, and the cage of a step that another tool's panels are about.
+    const bool has_elements = mesh_in(**step) != nullptr || works_on(studio(), **step, ValueType::Mesh);
+    if (has_elements && !mesh_modes.contains(mode_)) host().set_mode(select_mode);
+    return has_elements;
+  }
+  if (const auto* picked = std::get_if<PickedElements>(&target)) {
+    if (picked->elements.empty()) return false;
+    follow();
+    set_mesh_mode(mode_of(picked->kind));
+    follow();
+    act([&](MeshTool& tool) { return tool.selection().pick(picked->kind, picked->elements); });
+    return true;
+  }
+  const auto* found = std::get_if<NodeFinding>(&target);
+  if (found == nullptr) return false;
+  studio().set_active(found->node);
   follow();
   if (!tool_.editable().mesh()) return false;
-  const FoundElements elements = elements_of(found.finding, *tool_.editable().topology());
-  if (!pick(elements.kind, elements.elements)) return false;
+  const FoundElements elements = elements_of(found->finding, *tool_.editable().topology());
+  if (!show(PickedElements{elements.kind, elements.elements})) return false;
   host().viewport().frame_selection();
   return true;
 }
 
-// ---- The eye
+// ---- The views
 
 void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (!picks_elements()) return;
+  if (!state().picks_elements) return;
   wanted.edited = tool_.editable().node();
   wanted.edited_cage = !cage_hidden_;
 }
 
+void MeshEditingTool::add_to(render::Scene& scene, int view) {
+  const ViewUse use = use_of(view);
+  const bool with_handles = use.works && (use.on_drawings || !host().viewport().is_drawn_on(view));
+  const WorkObject* object = studio().active();
+  {
+    const PlacedPart own(scene, object == nullptr ? Affine3() : object->placement.map());
+    overlay_.add_to(scene, view != ComparisonView);
+    if (with_handles) add_handles(tool_.manipulator_picture(host().viewport().own_frame_of(view)), scene);
+  }
+  if (!with_handles) return;
+  const ViewFrame frame = host().viewport().frame_of(view);
+  if (picks_objects()) add_handles(objects_.mover().manipulator_picture(frame), scene);
+  const std::optional<PickBox>& box = objects_.box() ? objects_.box() : tool_.preview().box;
+  if (box && view == gesture_view_) add_box(*box, frame, scene);
+}
+
 std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
-  if (overlay_.selection_bounds().empty()) return std::nullopt;
-  if (picks_objects()) return std::nullopt;
   const render::Bounds& bounds = overlay_.selection_bounds();
+  if (bounds.empty() || picks_objects()) return std::nullopt;
   return SelectionFrame{render::placed(bounds, matrix_of(studio().active()->placement.map())), std::nullopt, false};
 }
 
 void MeshEditingTool::place_chips(ChipPlaces& places) {
   places.put_legend(*legend_, overlay_.shows_tags());
-  const auto& value = hovered_value_;
-  if (!value) return value_->hide();
-  value_->setText(value->text);
-  value_->adjustSize();
-  const QPointF in_view(value->pixel.x(), value->pixel.y());
-  places.put(*value_, places.layout().pane(value->view).rect.topLeft() + in_view + value_offset);
-}
-
-void MeshEditingTool::show_last_edit() {
-  last_edit_->follow();
-  panels_->set_useful(last_edit_dock_, last_edit_->useful());
-}
-
-void MeshEditingTool::refresh() {
-  const WorkObject* object = studio().active();
-  const bool mesh = object != nullptr && object->cage != 0;
-  for (QAction* action : mesh_actions_) action->setEnabled(mesh);
-  // Objects are grouped by the same key.
-  host().action("crease-set")->setEnabled(mesh && picks_elements());
-  host().action("crease-set")->setShortcut(picks_elements() ? QKeySequence("Ctrl+G") : QKeySequence());
-  // Picking elements begins the work on a computed mesh.
-  for (const auto& [mode, action] : mode_actions_) action->setEnabled(object != nullptr && object->editable != 0);
-  const auto shown = mode_actions_.find(tool_.selection().mode());
-  if (shown != mode_actions_.end()) shown->second->setChecked(true);
-  const Tool* at_work = host().viewport().tool_in(PerspectiveView);
-  const bool useful = mesh && (at_work == nullptr || at_work == this);
-  bar_->setVisible(useful && host().shows_views());
-  for (const char* name : {"move", "rotate", "scale"}) host().action(name)->setEnabled(object != nullptr);
-  host().action("sharpen")->setEnabled(mesh);
-  tags_->follow(studio().session().components());
-  for (const auto& [action, edit] : edit_actions_) action->setEnabled(mesh && tool_.edits().fits_selection(edit));
-  sets_->follow();
-  show_last_edit();
-  panels_->set_useful(edges_dock_, useful);
-  panels_->set_useful(sets_dock_, useful);
-  follow_scale();
-}
-
-// Recorded steps of work on meshes.
-
-/// Steps that need no view.
-template <class... Commands>
-void MeshEditingTool::replay_commands(Replays& replays) {
-  (replays.on<Commands>([this](const Commands& step) { replay_on_mesh(step.node, step); }), ...);
-}
-
-void MeshEditingTool::make_replays(Replays& replays) {
-  replays.on<recorded::ModelDrag>([this](const recorded::ModelDrag& drag) {
-    replay_drag(view_of(drag.view), drag.from, drag.to, modifiers_of(drag.modifiers), 1);
-  });
-  replays.on<recorded::Click>([this](const recorded::Click& click) {
-    if (click.place)
-      replay_drag(view_of(click.view), *click.place, *click.place, modifiers_of(click.modifiers), click.clicks);
-    return click.place.has_value();
-  });
-  replays.on<recorded::Box>([this](const recorded::Box& box) {
-    const bool is_in_space = box.from_place && box.to_place;
-    if (is_in_space) replay_drag(view_of(box.view), *box.from_place, *box.to_place, modifiers_of(box.modifiers), 1);
-    return is_in_space;
-  });
-  replay_commands<recorded::Pick, recorded::Move, recorded::Rotate, recorded::Scale, recorded::Tag, recorded::Pin,
-                  recorded::TagSet, recorded::Extrude, recorded::LoopCut, recorded::EditStep>(replays);
-}
-
-void MeshEditingTool::replay_on_mesh(const std::string& node, const recorded::Step& step) {
-  if (const auto* pick = step.as<recorded::Pick>()) {
-    const MeshMode mode = mode_of(kind_of_singular(pick->kind).value_or(ComponentKind::Edge));
-    if (tool_.selection().mode() != mode) set_mesh_mode(mode);
-  }
-  if (!node.empty()) studio().set_active(object_with_node(studio(), node).node);
-  if (const auto* edit = step.as<recorded::EditStep>(); edit != nullptr && studio().active()->cage == 0) {
-    set_mesh_mode(mode_of(edit->line.target.kind));  // begins the work on a computed mesh
-  }
-  follow();
-  const MeshMode before = tool_.selection().mode();
-  tool_.replay(step);
-  follow();
-  const MeshMode after = tool_.selection().mode();
-  if (after != before) enter_mesh_mode(after);  // the window's buttons follow
-  show_last_edit();
+  value_.place(places);
 }
 
 }  // namespace croquis::app

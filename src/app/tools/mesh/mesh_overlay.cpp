@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <map>
 
-#include "app/views/render_color.h"
 #include "app/window/theme.h"
 #include "croquis/render/sharpness_color.h"
 
 namespace croquis::app {
 namespace {
 
+constexpr const char* value_style =
+    "background: #2b2d31; color: #f2f3f5; border: 1px solid #609ce6; border-radius: 5px; padding: 1px 6px;"
+    " font-size: 12px";
+constexpr QPointF value_offset(14, -24);
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
 constexpr std::size_t rims_at_most = 50'000;     // more selected faces than this have no lines
 constexpr std::size_t edges_at_most = 5'000;     // more have no borders and aren't seen through the surface
@@ -61,9 +64,23 @@ std::vector<render::Mark> special_vertices(const PolyMesh& mesh) {
   return marks;
 }
 
+QColor handle_color(ColourRole role, HandleState state) {
+  if (state == HandleState::Active) return colors::accent;
+  if (state == HandleState::Hovered) return colors::accent.lighter(125);
+  switch (role) {
+    case ColourRole::X: return {202, 62, 52};
+    case ColourRole::Y: return {46, 134, 58};
+    case ColourRole::Z: return {44, 92, 200};
+    case ColourRole::Centre: return {70, 76, 88};
+    case ColourRole::View: return {110, 118, 130};
+    case ColourRole::Faint: break;
+  }
+  return {160, 166, 176};
+}
+
 }  // namespace
 
-MeshOverlay::SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<render::StyledEdge> styled) {
+SeenThrough MeshOverlay::edges(const MeshTool& tool, std::vector<render::StyledEdge> styled) {
   if (styled.empty()) return {};
   SeenThrough lines;
   lines.clear = render::make_edge_item(tool.editable().mesh()->positions, styled);
@@ -98,8 +115,7 @@ void MeshOverlay::show_tags(MeshTool& tool, const WorkObject& object) {
                        render::sharpness_width(sharpness[edge])});
   }
   tags_ = edges(tool, std::move(colored));
-  const std::vector<render::Mark> marks = special_vertices(mesh);
-  if (!marks.empty()) dots_ = render::make_mark_item(marks, render::MarkDepth::OnTop);
+  dots_ = marks_of(special_vertices(mesh));
 }
 
 void MeshOverlay::show_chains(const WorkObject& object) {
@@ -108,13 +124,9 @@ void MeshOverlay::show_chains(const WorkObject& object) {
   if (found == object.result->outputs.end()) return;
   const PolyMesh& chains = found->second.get<PolyMesh>();
   std::vector<render::LinePath> paths;
-  for (std::size_t l = 0; l < chains.line_count(); ++l) {
-    render::LinePath path;
-    for (const Index vertex : chains.line(l)) path.points.push_back({to_glm(chains.positions[vertex]), 1, {}});
-    paths.push_back(std::move(path));
-  }
-  const render::LineStyle style{2.5, to_color(colors::infinite_edge), {}, render::LineDepth::Tested};
-  if (!paths.empty()) chains_ = render::make_line_item(paths, style);
+  for (std::size_t l = 0; l < chains.line_count(); ++l)
+    paths.push_back(path_of(chains.line(l), [&](Index vertex) { return to_glm(chains.positions[vertex]); }));
+  chains_ = lines_of(paths, {2.5, to_color(colors::infinite_edge), {}, render::LineDepth::Tested});
 }
 
 void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage) {
@@ -163,10 +175,8 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
   if (!tool.editable().mesh()) return;
   const MeshPreview& preview = tool.preview();
   if (preview.cut) {
-    render::LinePath path;
-    path.closed = preview.cut->closed;
-    for (const Vec3& place : preview.cut->points) path.points.push_back({to_glm(place), 1, {}});
-    cut_ = render::make_line_item(path, {3, to_color(colors::hover), {}, render::LineDepth::OnSurface});
+    cut_ = render::make_line_item(path_of(preview.cut->points, to_glm, preview.cut->closed),
+                                  {3, to_color(colors::hover), {}, render::LineDepth::OnSurface});
     return;
   }
   if (!preview.hovered) return;
@@ -189,11 +199,8 @@ void MeshOverlay::follow_hover(MeshTool& tool, const render::MeshItemPtr& cage) 
 }
 
 void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
-  if (with_chains && chains_) scene.lines.emplace_back(chains_);
-  for (const render::LineItemPtr& item : {tags_.faint, selected_edges_.faint, hovered_edge_.faint, tags_.clear,
-                                          selected_casing_, selected_edges_.clear, hovered_edge_.clear, cut_}) {
-    if (item) scene.lines.emplace_back(item);
-  }
+  add_items(scene, {with_chains ? chains_ : nullptr, tags_.faint, selected_edges_.faint, hovered_edge_.faint,
+                    tags_.clear, selected_casing_, selected_edges_.clear, hovered_edge_.clear, cut_});
   for (const render::PointItemPtr& item : {vertices_, selected_vertices_, hovered_vertex_}) {
     if (item) scene.points.push_back(item);
   }
@@ -205,44 +212,39 @@ void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
     if (highlight && is_shown(highlight)) scene.highlights.push_back(highlight);
   }
   if (hovered_face_ && is_shown(hovered_face_)) scene.highlights.push_back(hovered_face_);
-  if (dots_) scene.marks.emplace_back(dots_);
+  add_items(scene, {}, {dots_});
 }
 
-namespace {
-
-QColor handle_color(ColourRole role, HandleState state) {
-  if (state == HandleState::Active) return colors::accent;
-  if (state == HandleState::Hovered) return colors::accent.lighter(125);
-  switch (role) {
-    case ColourRole::X: return {202, 62, 52};
-    case ColourRole::Y: return {46, 134, 58};
-    case ColourRole::Z: return {44, 92, 200};
-    case ColourRole::Centre: return {70, 76, 88};
-    case ColourRole::View: return {110, 118, 130};
-    case ColourRole::Faint: break;
-  }
-  return {160, 166, 176};
+PointerValue::PointerValue(QWidget& views) : label_(make_chip_label(views, value_style)) {
+  label_->setObjectName("edge-value");
 }
 
-}  // namespace
+void PointerValue::show(int view, const Vec2& pixel, const QString& text) {
+  view_ = view;
+  pixel_ = {pixel.x(), pixel.y()};
+  label_->setText(text);
+  label_->adjustSize();
+}
+
+void PointerValue::place(ChipPlaces& places) {
+  if (!view_) return label_->hide();
+  places.put(*label_, places.layout().pane(*view_).rect.topLeft() + pixel_ + value_offset);
+}
 
 void add_handles(const ManipulatorPicture& picture, render::Scene& scene) {
   for (const ManipulatorLine& line : picture.lines) {
     if (line.points.size() < 2) continue;
-    render::LinePath path;
-    for (const Vec3& place : line.points) path.points.push_back({to_glm(place), 1, {}});
     const double width = line.state == HandleState::Normal ? 2.2 : 3.4;
-    scene.lines.emplace_back(render::make_line_item(path, {line.filled ? width * 2 : width,
-                                                           to_color(handle_color(line.role, line.state)),
-                                                           {},
-                                                           render::LineDepth::OnTop}));
+    const QColor color = handle_color(line.role, line.state);
+    add_items(scene,
+              {lines_of({path_of(line.points, to_glm)}, {line.filled ? width * 2 : width, to_color(color), {}})});
   }
   std::vector<render::Mark> marks;
   for (const ManipulatorDot& handle : picture.dots) {
     marks.push_back({to_glm(handle.place), handle.square ? render::MarkShape::Square : render::MarkShape::Disc,
                      static_cast<float>(handle.pixels), to_color(handle_color(handle.role, handle.state))});
   }
-  if (!marks.empty()) scene.marks.emplace_back(render::make_mark_item(marks));
+  add_items(scene, {}, {marks_of(marks)});
 }
 
 }  // namespace croquis::app

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "app/tools/scene_parts.h"
+#include "app/views/view_chips.h"
 #include "app/views/view_pane.h"
 #include "croquis/render/edge_item.h"
 #include "croquis/render/scene.h"
@@ -38,11 +41,6 @@ class MeshOverlay {
   void show_chains(const WorkObject& object);
   void show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage);
 
-  /// Lines that what covers them leaves faint.
-  struct SeenThrough {
-    render::LineItemPtr clear;
-    render::LineItemPtr faint;
-  };
   void show_selected_edges(const MeshTool& tool, const MeshTopology& topology, const Elements& chosen, float width);
   static SeenThrough edges(const MeshTool& tool, std::vector<render::StyledEdge> styled);
 
@@ -59,6 +57,23 @@ class MeshOverlay {
   render::FaceHighlightPtr hovered_face_;
   render::LineItemPtr cut_;
   render::Bounds selection_bounds_;
+};
+
+/// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
+class PointerValue {
+ public:
+  explicit PointerValue(QWidget& views);
+
+  /// @param pixel of the view
+  void show(int view, const Vec2& pixel, const QString& text);
+  void hide() { view_.reset(); }
+  bool shown() const { return view_.has_value(); }
+  void place(ChipPlaces& places);
+
+ private:
+  QLabel* label_;
+  std::optional<int> view_;
+  QPointF pixel_;
 };
 
 /// A manipulator's lines and handles, as it is shown in one view.

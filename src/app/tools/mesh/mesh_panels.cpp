@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/mesh/mesh_panels.h"
 
+#include <QDockWidget>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -15,6 +16,8 @@
 
 #include "app/panels/attribute_panel.h"
 #include "app/panels/number_box.h"
+#include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/window/panel_docks.h"
 #include "croquis/geometry/mesh_tags.h"
 
 namespace croquis::app {
@@ -199,12 +202,8 @@ QWidget* CreaseSetPanel::make_buttons() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(3);
-  add_button(row, "set-new", tr("New"), tr("A set of the selected edges or vertices"), [this] {
-    mesh_.act([](MeshTool& tool) {
-      const auto mesh = tool.editable().mesh();
-      return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
-    });
-  });
+  add_button(row, "set-new", tr("New"), tr("A set of the selected edges or vertices"),
+             [this] { mesh_.act(make_crease_set); });
   layout->addWidget(sharpness_);
   add_button(row, "set-select", tr("Select"), tr("Selects the set's edges or vertices"),
              [this] { mesh_.act([this](MeshTool& tool) { return tool.tags().select_set(chosen()); }); });
@@ -305,6 +304,33 @@ void EditPanel::adjust(const std::string& parameter, const ParameterValue& value
     return tool.edits().adjust(std::move(parameters));
   });
   follow();  // a value that was refused goes back to what it was
+}
+
+/// Sharp edges and crease sets lie below the attributes, in one place.
+MeshPanels::MeshPanels(MeshEditingTool& mesh, PanelDocks& docks)
+    : docks_(docks),
+      tags_(new TagPanel(mesh, nullptr)),
+      sets_(new CreaseSetPanel(mesh, nullptr)),
+      last_edit_(new EditPanel(mesh, nullptr)),
+      edges_dock_(docks.add_column(QObject::tr("Sharp edges"), tags_, "edges")),
+      sets_dock_(docks.add(QObject::tr("Crease sets"), sets_, "sets")) {
+  docks.split_below("attributes", edges_dock_);
+  docks.tabify("edges", sets_dock_);
+  edges_dock_->raise();
+  last_edit_dock_ = docks.add_column(QObject::tr("Last edit"), last_edit_, "last-edit");
+}
+
+void MeshPanels::follow(const ComponentSelection& selection, bool useful) {
+  tags_->follow(selection);
+  sets_->follow();
+  show_last_edit();
+  docks_.set_useful(edges_dock_, useful);
+  docks_.set_useful(sets_dock_, useful);
+}
+
+void MeshPanels::show_last_edit() {
+  last_edit_->follow();
+  docks_.set_useful(last_edit_dock_, last_edit_->useful());
 }
 
 }  // namespace croquis::app

@@ -7,8 +7,11 @@
 #include <map>
 #include <string>
 
-#include "app/tools/mesh/mesh_editing_tool.h"
+#include "croquis/base/parameter.h"
+#include "croquis/edits/edit.h"
+#include "croquis/session/session.h"
 
+class QDockWidget;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
@@ -17,6 +20,9 @@ class QSlider;
 class QTreeWidget;
 
 namespace croquis::app {
+
+class MeshEditingTool;
+class PanelDocks;
 
 /// A sharpness: 0 for none … 10, whose last step is infinite.
 class SharpnessField : public QDoubleSpinBox {
@@ -106,6 +112,25 @@ class EditPanel : public QWidget {
   QLabel* title_;
   std::string edit_;  ///< that the fields are of
   std::map<std::string, ParameterField*> fields_;
+};
+
+/// All of them, in their docks.
+class MeshPanels {
+ public:
+  MeshPanels(MeshEditingTool& mesh, PanelDocks& docks);
+
+  /// After the document or the selection has changed. @param useful there is a mesh to be worked on
+  void follow(const ComponentSelection& selection, bool useful);
+  void show_last_edit();
+
+ private:
+  PanelDocks& docks_;
+  TagPanel* tags_;
+  CreaseSetPanel* sets_;
+  EditPanel* last_edit_;
+  QDockWidget* edges_dock_;
+  QDockWidget* sets_dock_;
+  QDockWidget* last_edit_dock_;
 };
 
 }  // namespace croquis::app

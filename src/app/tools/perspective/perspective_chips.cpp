@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/panels/finding_elements.h"
-#include "app/views/render_color.h"
+#include "app/views/viewport.h"
 #include "app/window/theme.h"
 #include "croquis/tools/perspective/drawing_edit.h"
 
@@ -22,6 +22,9 @@ constexpr double hatch_share = 0.012;  // between lines, of the picture's diagon
 constexpr double outline_width = 3, hatch_width = 1.4, removed_width = 2;
 
 using Loop = std::vector<Vec3>;
+
+/// Where a place in the drawing's space lies in a view.
+using FromSpace = std::function<glm::dvec3(const Vec3&)>;
 
 std::set<std::string> strokes_of_face(const PerspectiveFace& face) {
   std::set<std::string> strokes;
@@ -115,23 +118,35 @@ std::vector<render::LinePath> hatch_of(const Camera& camera, const std::vector<L
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
       const Vec3 from = lifted(ends[i] * along + value * across), to = lifted(ends[i + 1] * along + value * across);
       if (!from.allFinite() || !to.allFinite()) continue;
-      lines.emplace_back();
-      lines.back().points = {{place(from), 1, {}}, {place(to), 1, {}}};
+      lines.push_back(path_of(std::array{from, to}, place));
     }
   }
   return lines;
 }
 
-render::LinePath outline_of(const Loop& loop, const FromSpace& place) {
-  render::LinePath path;
-  path.closed = true;
-  for (const Vec3& point : loop) path.points.push_back({place(point), 1, {}});
-  return path;
-}
-
-void add_item(const std::vector<render::LinePath>& paths, const render::LineStyle& style,
-              std::vector<render::LineItemPtr>& items) {
-  if (!paths.empty()) items.push_back(render::make_line_item(paths, style));
+/// Hatched, over all else: what is added in blue, what is removed as a dashed red outline.
+void add_difference(render::Scene& scene, const PerspectiveResult& result, const FaceDifference& difference,
+                    const FromSpace& place) {
+  std::vector<render::LinePath> added, hatched, removed;
+  const auto loops_of = [&](const PerspectiveFace& face) {
+    std::vector<Loop> loops;
+    for (const std::vector<std::string>& strokes : face.strokes) {
+      if (auto loop = traced_loop(result.network, strokes)) loops.push_back(std::move(*loop));
+    }
+    return loops;
+  };
+  for (const PerspectiveFace& face : difference.added) {
+    const std::vector<Loop> loops = loops_of(face);
+    for (const Loop& loop : loops) added.push_back(path_of(loop, place, true));
+    if (loops.empty()) continue;
+    for (render::LinePath& line : hatch_of(result.camera, loops, place)) hatched.push_back(std::move(line));
+  }
+  for (const PerspectiveFace& face : difference.removed) {
+    for (const Loop& loop : loops_of(face)) removed.push_back(path_of(loop, place, true));
+  }
+  add_items(scene, {lines_of(removed, {removed_width, to_color(colors::error), {6, 5, 0, 0}}),
+                    lines_of(hatched, {hatch_width, to_color(colors::hover, 200), {}}),
+                    lines_of(added, {outline_width, to_color(colors::hover), {}})});
 }
 
 constexpr double alternatives_top = 42;  // logical pixels, below the chip that counts faces
@@ -259,37 +274,9 @@ std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces) {
   return names;
 }
 
-std::vector<render::LineItemPtr> difference_items(const PerspectiveResult& result, const FaceDifference& difference,
-                                                  const FromSpace& place) {
-  std::vector<render::LinePath> added, hatched, removed;
-  const auto loops_of = [&](const PerspectiveFace& face) {
-    std::vector<Loop> loops;
-    for (const std::vector<std::string>& strokes : face.strokes) {
-      if (auto loop = traced_loop(result.network, strokes)) loops.push_back(std::move(*loop));
-    }
-    return loops;
-  };
-  for (const PerspectiveFace& face : difference.added) {
-    const std::vector<Loop> loops = loops_of(face);
-    for (const Loop& loop : loops) added.push_back(outline_of(loop, place));
-    if (loops.empty()) continue;
-    for (render::LinePath& line : hatch_of(result.camera, loops, place)) hatched.push_back(std::move(line));
-  }
-  for (const PerspectiveFace& face : difference.removed) {
-    for (const Loop& loop : loops_of(face)) removed.push_back(outline_of(loop, place));
-  }
-  std::vector<render::LineItemPtr> items;
-  add_item(removed, {removed_width, to_color(colors::error), {6, 5, 0, 0}, render::LineDepth::OnTop}, items);
-  add_item(hatched, {hatch_width, to_color(colors::hover, 200), {}, render::LineDepth::OnTop}, items);
-  add_item(added, {outline_width, to_color(colors::hover), {}, render::LineDepth::OnTop}, items);
-  return items;
-}
-
-AlternativeChips::AlternativeChips(QWidget* views) : QObject(views), views_(views) {}
-
 void AlternativeChips::make_button() {
   const std::size_t number = buttons_.size();
-  auto* button = new QToolButton(views_);
+  auto* button = new QToolButton(&sheet_.host.viewport());
   button->setObjectName(QString("perspective-alternative-%1").arg(number + 1));
   button->setText(number == 0 ? tr("Other faces 1") : QString::number(number + 1));
   button->setToolTip(tr("These faces fit as well: the hatched ones instead of the dashed ones"));
@@ -298,7 +285,7 @@ void AlternativeChips::make_button() {
   button->installEventFilter(this);
   connect(button, &QToolButton::clicked, this, [this, number] {
     set_hovered(std::nullopt);
-    emit wanted(number);
+    take_alternative(sheet_, number);
   });
   buttons_.push_back(button);
 }
@@ -325,6 +312,18 @@ void AlternativeChips::place(ChipPlaces& places, const ViewPane& pane, std::size
 void AlternativeChips::hide() {
   for (QToolButton* button : buttons_) button->hide();
   set_hovered(std::nullopt);
+}
+
+void AlternativeChips::add_to(render::Scene& scene, bool on_sheet) const {
+  const PerspectiveResult* result = sheet_.result();
+  if (!hovered_ || result == nullptr || *hovered_ >= result->alternatives.size()) return;
+  const Node* node = sheet_.host.studio().session().document().find(sheet_.tool.operation_node());
+  const WorkObject* object = sheet_.host.studio().active();
+  const Affine3 stands = object == nullptr ? Affine3() : object->placement.map();
+  const Affine3 placement = node == nullptr ? Affine3() : composed(stands, node->transform);
+  add_difference(scene, *result, difference_of(*result, result->alternatives[*hovered_]), [&](const Vec3& point) {
+    return on_sheet ? on_sketch_plane(result->camera.project(point)) : to_glm(placement(point));
+  });
 }
 
 void AlternativeChips::set_hovered(std::optional<std::size_t> alternative) {
@@ -354,23 +353,23 @@ bool is_of_unfinished(const Finding& finding) {
   return std::ranges::find(codes, finding.code) != codes.end();
 }
 
-PerspectiveChips::PerspectiveChips(SheetInteraction& sheet, QWidget* views)
-    : QObject(views),
-      sheet_(sheet),
-      alternatives_(views),
-      chips_(*views),
+PerspectiveChips::PerspectiveChips(Sheet& sheet)
+    : sheet_(sheet),
+      alternatives_(sheet),
+      chips_(sheet.host.viewport()),
       hint_(chips_.label("perspective-hint", sheet_hint_style)),
-      faces_(chips_.button("perspective-faces", sheet_button_style, [this] { emit strokes_wanted(faces_strokes_); })),
-      fix_(chips_.button("perspective-fix-chip", sheet_button_style, [this] { emit fix_wanted(); })),
-      mirror_(chips_.button("perspective-mirror-chip", sheet_button_style, [this] { emit mirror_wanted(); })),
+      faces_(
+          chips_.button("perspective-faces", sheet_button_style, [this] { look_at_strokes(sheet_, faces_strokes_); })),
+      fix_(chips_.button("perspective-fix-chip", sheet_button_style, [this] { apply_fix(sheet_); })),
+      mirror_(chips_.button("perspective-mirror-chip", sheet_button_style, [this] { complete_mirrored(sheet_); })),
       through_(chips_.button("look-through-chip", sheet_button_style,
-                             [this] { emit look_through_wanted(through_->isChecked()); })) {
+                             [this] { look_through(sheet_, through_->isChecked()); })) {
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
   through_->setCheckable(true);
 }
 
-void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
+void PerspectiveChips::place(ChipPlaces& places, bool shown) {
   chips_.begin(places);
   const ViewPane& pane = places.layout().pane(SketchView);
   const PerspectiveResult* result = sheet_.result();
@@ -383,14 +382,14 @@ void PerspectiveChips::place(ChipPlaces& places, bool shown, bool through) {
   } else {
     alternatives_.hide();
   }
-  if (shown) place_through(places.layout().pane(PerspectiveView), through);
+  if (shown) place_through(places.layout().pane(PerspectiveView));
   chips_.end();
 }
 
 /// What to draw first, as long as there is no camera.
 void PerspectiveChips::place_hint(const QRectF& rect) {
   if (sheet_.result() != nullptr && !sheet_.drawing().strokes.empty()) return;
-  hint_->setText(tr("Draw two lines along each axis: they take the axis' colour from where they point"));
+  hint_->setText(QObject::tr("Draw two lines along each axis: they take the axis' colour from where they point"));
   const int width = static_cast<int>(std::min(rect.width() - 2 * chip_margin, hint_width));
   hint_->setFixedSize(width, hint_->heightForWidth(width));
   chips_.put(*hint_, QPointF(rect.center().x() - hint_->width() / 2.0, rect.bottom() - 60), rect);
@@ -403,7 +402,7 @@ void PerspectiveChips::place_faces(const QRectF& rect) {
   const char* style = state.sound ? closed_style : open_style;
   if (faces_->styleSheet() != style) faces_->setStyleSheet(style);
   faces_->setText(state.sentence);
-  faces_->setToolTip(state.strokes.empty() ? QString() : tr("Click to see the strokes"));
+  faces_->setToolTip(state.strokes.empty() ? QString() : QObject::tr("Click to see the strokes"));
   faces_strokes_ = std::move(state.strokes);
   faces_->adjustSize();
   if (faces_->width() > rect.width() - 2 * chip_margin) faces_->setText(on_two_lines(state.sentence));
@@ -416,7 +415,7 @@ void PerspectiveChips::place_fix(const ViewPane& pane) {
   const ProposedFix& fix = result->fixes.front();
   const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), fix.stroke);
   if (stroke == nullptr) return;
-  fix_->setText(tr("Fix"));
+  fix_->setText(QObject::tr("Fix"));
   fix_->setToolTip(QString::fromStdString(fix.text));
   fix_->setAccessibleName(fix_->toolTip());
   fix_->adjustSize();
@@ -424,17 +423,18 @@ void PerspectiveChips::place_fix(const ViewPane& pane) {
 }
 
 void PerspectiveChips::place_mirror(const QRectF& rect) {
-  if (!sheet_.proposal()) return;
-  const auto count = static_cast<int>(sheet_.proposal()->strokes.size());
-  mirror_->setText(count == 1 ? tr("Add 1 mirrored stroke (Enter)") : tr("Add %1 mirrored strokes (Enter)").arg(count));
+  if (!sheet_.proposal) return;
+  const auto count = static_cast<int>(sheet_.proposal->strokes.size());
+  mirror_->setText(count == 1 ? QObject::tr("Add 1 mirrored stroke (Enter)")
+                              : QObject::tr("Add %1 mirrored strokes (Enter)").arg(count));
   chips_.put_in_middle(*mirror_, rect.bottom() - 40, rect);
 }
 
-void PerspectiveChips::place_through(const ViewPane& pane, bool through) {
+void PerspectiveChips::place_through(const ViewPane& pane) {
   if (sheet_.result() == nullptr || !pane.visible()) return;
-  through_->setText(tr("Look through"));
-  through_->setToolTip(tr("See the solid from the drawing's eye, with the drawing over it (V)"));
-  through_->setChecked(through);
+  through_->setText(QObject::tr("Look through"));
+  through_->setToolTip(QObject::tr("See the solid from the drawing's eye, with the drawing over it (V)"));
+  through_->setChecked(sheet_.looks_through());
   chips_.put_in_middle(*through_, pane.rect.top() + chip_margin, pane.rect);
 }
 

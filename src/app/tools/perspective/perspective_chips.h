@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tools/perspective/sheet_interaction.h"
+#include "app/tools/perspective/sheet.h"
 #include "app/views/view_chips.h"
 #include "croquis/base/finding.h"
 #include "croquis/operators/perspective_result.h"
@@ -31,31 +31,24 @@ FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternat
 /// "s1+s2+s3": as the operation's lists name faces.
 std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces);
 
-/// Where a place in the drawing's space lies in a view.
-using FromSpace = std::function<glm::dvec3(const Vec3&)>;
-
-/// Hatched, over all else: what is added in blue, what is removed as a dashed red outline.
-std::vector<render::LineItemPtr> difference_items(const PerspectiveResult& result, const FaceDifference& difference,
-                                                  const FromSpace& place);
-
 /// A button for each other set of faces that fits a drawing as well: under the pointer it is shown, clicked it is
 /// taken.
 class AlternativeChips : public QObject {
   Q_OBJECT
 
  public:
-  explicit AlternativeChips(QWidget* views);
+  /// They stand on the views.
+  explicit AlternativeChips(Sheet& sheet) : sheet_(sheet) {}
 
   /// @param count of other sets, 0: none
   void place(ChipPlaces& places, const ViewPane& pane, std::size_t count);
   void hide();
 
-  /// Of the one under the pointer.
-  const std::optional<std::size_t>& hovered() const { return hovered_; }
+  /// What the one under the pointer would change. @param on_sheet on the sheet, else in space
+  void add_to(render::Scene& scene, bool on_sheet) const;
 
  signals:
   void hovered_changed();
-  void wanted(std::size_t alternative);
 
  protected:
   bool eventFilter(QObject* button, QEvent* event) override;
@@ -64,7 +57,7 @@ class AlternativeChips : public QObject {
   void make_button();
   void set_hovered(std::optional<std::size_t> alternative);
 
-  QWidget* views_;
+  Sheet& sheet_;
   std::vector<QToolButton*> buttons_;
   std::optional<std::size_t> hovered_;
 };
@@ -85,33 +78,22 @@ bool is_of_unfinished(const Finding& finding);
 
 /// What stands over the views of a perspective drawing: how far it is a solid, the change that is proposed, the mirror,
 /// and the way back to the drawing's eye.
-class PerspectiveChips : public QObject {
-  Q_OBJECT
-
+class PerspectiveChips {
  public:
-  /// @param views that they stand on
-  PerspectiveChips(SheetInteraction& sheet, QWidget* views);
+  explicit PerspectiveChips(Sheet& sheet);
 
   AlternativeChips& alternatives() { return alternatives_; }
-  const AlternativeChips& alternatives() const { return alternatives_; }
 
-  /// @param through the perspective view is held at the drawing's eye
-  void place(ChipPlaces& places, bool shown, bool through);
-
- signals:
-  void fix_wanted();
-  void mirror_wanted();
-  void look_through_wanted(bool on);
-  void strokes_wanted(const std::vector<std::string>& strokes);  ///< selected, and looked at
+  void place(ChipPlaces& places, bool shown);
 
  private:
   void place_hint(const QRectF& rect);
   void place_faces(const QRectF& rect);
   void place_fix(const ViewPane& pane);
   void place_mirror(const QRectF& rect);
-  void place_through(const ViewPane& pane, bool through);
+  void place_through(const ViewPane& pane);
 
-  SheetInteraction& sheet_;
+  Sheet& sheet_;
   AlternativeChips alternatives_;
   ChipSet chips_;
   QLabel* hint_;

@@ -1,200 +1,203 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/perspective/perspective_drawing_tool.h"
 
-#include <QAction>
 #include <QDockWidget>
-#include <QKeyEvent>
 #include <QScrollArea>
 #include <algorithm>
 #include <utility>
 
 #include "app/panels/finding_elements.h"
-#include "app/replay/replays.h"
-#include "app/tools/perspective/perspective_panel.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
-#include "croquis/tools/perspective/perspective_steps.h"
-#include "croquis/tools/recording/general_steps.h"
-#include "croquis/workspace/chain.h"
+#include "croquis/tools/perspective/axis_guess.h"
 
 namespace croquis::app {
 namespace {
 
-constexpr int entry_width = 150;  // logical pixels
-constexpr QPoint beside_pen(14, 12);
-constexpr const char* entry_style =
-    "QLineEdit { background: white; color: #1c1c1e; border: 2px solid %1; border-radius: 5px; padding: 3px 6px }";
-
-constexpr double framed_share = 0.4;  // of the sheet, at least, where strokes are looked at
-constexpr double sheet_share = 0.66;  // of the views' width: the sheet, with its margin, gets more than half of it
+constexpr int sheet_panel_width = 330;
+constexpr double framed_share = 0.4;      // of the sheet, at least, where strokes are looked at
+constexpr double sheet_share = 0.66;      // of the views' width: the sheet, with its margin, gets more than half of it
+constexpr double sheet_stroke_reach = 9;  // logical pixels
+constexpr double guide_reach = 14;
 
 PerspectiveMode sheet_mode(const QString& mode) {
   if (mode == "draw") return PerspectiveMode::Draw;
   return mode == "erase" ? PerspectiveMode::Erase : PerspectiveMode::Select;
 }
 
-const PerspectiveResult& required_result(const SheetInteraction& sheet) {
-  if (sheet.result() == nullptr) refuse_replay("Nothing was found in the drawing yet");
-  return *sheet.result();
+std::shared_ptr<const SolvedDrawing> solved_by(const PerspectiveResult& result) {
+  auto solved = std::make_shared<SolvedDrawing>();
+  solved->camera = result.camera;
+  solved->vanishing_points = result.vanishing_points;
+  solved->network = result.network;
+  for (const PerspectiveFace& face : result.faces) solved->faces.push_back(face.strokes.front());
+  solved->open_strokes = result.open_strokes;
+  return solved;
 }
 
-/// What replays can ask of a drawing.
-void add_counts(Replays& replays, const SheetInteraction& sheet) {
-  const auto add = [&](const char* name, auto count) {
-    replays.counts[name] = [&sheet, count](const std::string&) {
-      return static_cast<std::size_t>(count(required_result(sheet)));
-    };
-  };
-  replays.counts["perspective-strokes"] = [&sheet](const std::string&) { return sheet.drawing().strokes.size(); };
-  add("perspective-faces", [](const PerspectiveResult& result) { return result.faces.size(); });
-  add("perspective-open", [](const PerspectiveResult& result) { return result.open_strokes.size(); });
-  add("perspective-closed", [](const PerspectiveResult& result) { return result.closed; });
-  add("perspective-mode", [](const PerspectiveResult& result) { return result.mode; });
-  add("perspective-fixes", [](const PerspectiveResult& result) { return result.fixes.size(); });
-  replays.ranges["perspective-residual"] = [&sheet](const std::string&) {
-    std::pair<double, double> range(1e300, 0);
-    for (const PerspectiveStrokeResult& stroke : required_result(sheet).strokes) {
-      if (!stroke.residual) continue;
-      range.first = std::min(range.first, *stroke.residual);
-      range.second = std::max(range.second, *stroke.residual);
-    }
-    return range;
-  };
+Vec2 to_sheet(const SketchFrame& frame, const Vec2& pixel) {
+  const Vec2 place = frame.to_sketch(pixel);
+  return {place.x(), -place.y()};
+}
+
+QString help_of(const Sheet& sheet) {
+  const auto tr = [](const char* text) { return PerspectiveDrawingTool::tr(text); };
+  if (sheet.picks == SheetPick::Point) return tr("Click the corner whose coordinates are known · Escape stops");
+  if (sheet.picks == SheetPick::Length) return tr("Click the stroke whose length is known · Escape stops");
+  if (sheet.entry->isVisible())
+    return tr("Type a number, if you like with mm, cm, m or in · Enter takes it · Escape stops");
+  if (sheet.proposal) return tr("Enter adds the mirrored strokes · Escape leaves them out");
+  switch (sheet.tool.mode()) {
+    case PerspectiveMode::Select:
+      return tr(
+          "Drag an end, a handle or a vanishing point · 1–6 give a group · Shift adds · Delete removes · D draws");
+    case PerspectiveMode::Erase: return tr("Drag over strokes to erase them · D draws");
+    case PerspectiveMode::Draw: break;
+  }
+  if (sheet.tool.role() == StrokeRole::Construction)
+    return tr("Draw lines towards the vanishing points · 1 2 3 choose x y z, 0 by direction · E draws edges");
+  return tr("Draw edges: 1 2 3 along x y z, 4 5 6 in planes, 0 by direction · C draws construction lines · Q selects");
+}
+
+/// A click beside any stroke chooses no length: the next one may.
+void take_pick(Sheet& sheet, const Vec2& at, double reach) {
+  if (sheet.picks == SheetPick::Point) {
+    const auto end = nearest_end(sheet.drawing(), at, reach);
+    pick(sheet, SheetPick::None);
+    ask_point(sheet, end ? place_of(sheet.drawing(), *end) : at);
+  } else if (const auto stroke = nearest_stroke(sheet.drawing(), at, reach)) {
+    pick(sheet, SheetPick::None);
+    ask_length(sheet, *stroke);
+  }
 }
 
 }  // namespace
 
-PenEntry::PenEntry(QWidget* views) : QLineEdit(views) {
-  setObjectName("perspective-entry");
-  setFixedWidth(entry_width);
-  hide();
-}
-
-void PenEntry::ask(const QPointF& at, const QString& title, const QString& text, Take take) {
-  take_ = std::move(take);
-  setPlaceholderText(title);
-  setToolTip(title);
-  setAccessibleName(title);
-  setText(text);
-  show_wrong(false);
-  adjustSize();
-  const QRect room = parentWidget()->rect();
-  const QPoint wanted = at.toPoint() + beside_pen;
-  move(std::clamp(wanted.x(), 0, std::max(0, room.width() - width())),
-       std::clamp(wanted.y(), 0, std::max(0, room.height() - height())));
-  show();
-  raise();
-  setFocus(Qt::OtherFocusReason);
-  selectAll();
-}
-
-void PenEntry::show_wrong(bool wrong) { setStyleSheet(QString(entry_style).arg(wrong ? "#d63c34" : "#f28c28")); }
-
-/// No key is a menu's shortcut while something is typed.
-bool PenEntry::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    event->accept();
-    return true;
-  }
-  return QLineEdit::event(event);
-}
-
-void PenEntry::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) return close_entry();
-  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {
-    show_wrong(false);
-    return QLineEdit::keyPressEvent(event);
-  }
-  if (take_ && !take_(text())) return show_wrong(true);
-  close_entry();
-}
-
-void PenEntry::focusOutEvent(QFocusEvent* event) {
-  QLineEdit::focusOutEvent(event);
-  if (isVisible()) close_entry();
-}
-
-void PenEntry::close_entry() {
-  take_ = nullptr;
-  hide();
-  parentWidget()->setFocus(Qt::OtherFocusReason);
-  emit finished();
-}
-
 PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
-    : Tool(host, "Drawings in perspective"),
-      sheet_(host.studio(), host.viewport().pane(SketchView)),
-      chips_(sheet_, &host.viewport()),
-      entry_(new PenEntry(&host.viewport())) {
-  connect(&sheet_, &SheetInteraction::changed, this, [this] {
-    emit changed_in(SketchView);
-    if (looks_through()) emit changed_in(PerspectiveView);
-  });
-  connect(&sheet_, &SheetInteraction::inked, this, &Tool::inked);
-  connect(&sheet_, &SheetInteraction::committed, this, &Tool::committed);
-  connect(&sheet_, &SheetInteraction::state_changed, this, [this] {
-    refresh();
-    emit state_changed();
-  });
-  connect(&sheet_, &SheetInteraction::point_picked, this, &PerspectiveDrawingTool::ask_point);
-  connect(&sheet_, &SheetInteraction::length_picked, this, &PerspectiveDrawingTool::ask_length);
-  connect(entry_, &PenEntry::finished, this, &Tool::state_changed);
-  connect(&chips_.alternatives(), &AlternativeChips::hovered_changed, this, &Tool::changed);
-  connect(&chips_.alternatives(), &AlternativeChips::wanted, this, &PerspectiveDrawingTool::take_alternative);
-  connect(&chips_, &PerspectiveChips::fix_wanted, this, &PerspectiveDrawingTool::apply_fix);
-  connect(&chips_, &PerspectiveChips::mirror_wanted, this, &PerspectiveDrawingTool::complete_mirrored);
-  connect(&chips_, &PerspectiveChips::strokes_wanted, this, &PerspectiveDrawingTool::look_at_strokes);
-  connect(&chips_, &PerspectiveChips::look_through_wanted, this, &PerspectiveDrawingTool::set_looking_through);
+    : Tool(host, "Drawings in perspective"), sheet_(*this, host), chips_(sheet_) {
+  connect(sheet_.entry, &PenEntry::finished, this, &Tool::state_changed);
+  connect(&chips_.alternatives(), &AlternativeChips::hovered_changed, this, [this] { emit changed(); });
   connect(&host.viewport(), &Viewport::look_through_changed, this, &Tool::state_changed);
 }
 
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
-  PerspectivePanelHost needs;
-  needs.action = [this](const QString& name) { return host().action(name); };
-  needs.take = [this](const recorded::Step& step) { do_and_record(step); };
-  needs.set_parameter = [this](const std::string& name, const ParameterValue& value) { set_parameter(name, value); };
-  needs.choose = [this](const std::string& stroke) {
-    if (mode() != select_mode) host().set_mode(select_mode);
-    sheet_.tool().select({stroke});
-  };
-  needs.overlay = [this](double opacity) {
-    overlay_ = opacity;
-    emit changed_in(PerspectiveView);
-  };
-  panel_ = make_perspective_panel(sheet_, needs);
+  panel_ = make_perspective_panel(sheet_);
   dock_ = docks.add(tr("Perspective"), scrolled(panel_), "perspective");
   docks.set_useful(dock_, false);
   docks_ = &docks;
 }
 
-bool PerspectiveDrawingTool::do_and_record(const recorded::Step& step) {
-  const bool done = sheet_.tool().take(step) == Verdict::Commit;
-  if (done) emit committed(*sheet_.tool().done());
-  return done;
+void PerspectiveDrawingTool::refresh() {
+  refresh_sheet_actions(sheet_);
+  docks_->set_useful(dock_, sheet_.is_there());
+  if (!sheet_.is_there()) return;
+  docks_->give_room_once(dock_, sheet_panel_width);
+  panel_->follow();
 }
 
 void PerspectiveDrawingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
-  sheet_.set_mode(sheet_mode(mode));
-  if (studio().sheet_node() == 0) return;
-  sheet_.follow_document();
-  Viewport& views = host().viewport();
-  if (draws() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  sheet_.tool.set_mode(sheet_mode(mode));
+  studio().hold_results(false);
+  show_guides(std::nullopt);
+  show_gesture();
+  if (!sheet_.is_there()) return;
+  follow_document();
+  if (draws()) show_sketch_view(host().viewport());
 }
 
-bool PerspectiveDrawingTool::works_in(int view) const { return has_view(view) && (draws() || mode() == select_mode); }
+// ---- How it stands
 
 ViewUse PerspectiveDrawingTool::use_of(int view) const {
-  const bool aims = draws() || sheet_.picks() != SheetInteraction::Pick::None;
-  return {aims ? Qt::CrossCursor : Qt::ArrowCursor, true, has_view(view),
-          has_view(view) ? tr("Perspective drawing") : QString()};
+  ViewUse use{.cursor = draws() || sheet_.picks != SheetPick::None ? Qt::CrossCursor : Qt::ArrowCursor,
+              .every_move = true};
+  if (!has_view(view)) return use;
+  use.works = draws() || mode_ == select_mode;
+  use.bounds = sheet_.scene.bounds();
+  use.paper = true;
+  use.title = tr("Perspective drawing");
+  if (use.works) {
+    use.menu = {"group-z",      "group-normal-x", "group-x", "group-normal-z",
+                "construction", "group-normal-y", "group-y", "group-auto"};
+  }
+  return use;
+}
+
+ToolWords PerspectiveDrawingTool::words() const {
+  ToolWords words{.help = help_of(sheet_), .tooltip = under_pointer_};
+  if (sheet_.is_there() && sheet_.result() != nullptr)
+    words.status = solid_state(sheet_.drawing(), *sheet_.result(), sheet_.findings()).sentence;
+  return words;
+}
+
+ToolState PerspectiveDrawingTool::state() const {
+  if (!inking()) return {};
+  return {.ink = Ink{SketchView, &sheet_.tool.preview().ink}};
+}
+
+// ---- The pointer
+
+void PerspectiveDrawingTool::take(const PointerEvent& event) {
+  const SketchFrame frame = host().viewport().pane(SketchView).sketch_frame();
+  if (sheet_.picks != SheetPick::None && event.action == PointerEvent::Action::Press && event.buttons.left)
+    return take_pick(sheet_, to_sheet(frame, event.position), 2 * sheet_stroke_reach * frame.units_per_pixel);
+  Tool::take(event);
 }
 
 bool PerspectiveDrawingTool::abandon() {
-  if (sheet_.abandon()) return true;
-  if (!sheet_.proposal()) return false;
-  sheet_.propose_mirror(false);
+  if (sheet_.picks != SheetPick::None) {
+    pick(sheet_, SheetPick::None);
+    return true;
+  }
+  if (Tool::abandon()) return true;
+  if (!sheet_.proposal) return false;
+  propose_mirror(sheet_, false);
   return true;
+}
+
+void PerspectiveDrawingTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps) {
+    const SketchFrame frame = host().viewport().pane(SketchView).sketch_frame();
+    const Verdict verdict = sheet_.tool.handle(to_sketch(step, frame));
+    if (sheet_.tool.done()) sheet_.record(verdict);
+  }
+  // Nothing else changes under the pen: what is computed meanwhile is shown when the stroke has ended.
+  studio().hold_results(inking());
+  if (inking()) return emit changed(ink_alone);
+  show_gesture();
+}
+
+void PerspectiveDrawingTool::hover(const PointerEvent& event) {
+  if (event.action == PointerEvent::Action::Leave) {
+    show_guides(std::nullopt);
+    return show_change();
+  }
+  under_pointer_ = sentences_at(sheet_.scene.marks(), host().viewport().frame_of(SketchView), event.position);
+  const SketchFrame frame = host().viewport().pane(SketchView).sketch_frame();
+  const Vec2 at = to_sheet(frame, event.position);
+  const PerspectiveDrawing& drawing = sheet_.drawing();
+  if (sheet_.tool.mode() == PerspectiveMode::Draw) {
+    const auto end = nearest_end(drawing, at, guide_reach * frame.units_per_pixel);
+    show_guides(end ? place_of(drawing, *end) : at);
+  } else {
+    sheet_.scene.show_hovered(drawing, nearest_stroke(drawing, at, sheet_stroke_reach * frame.units_per_pixel));
+  }
+  show_change();
+}
+
+void PerspectiveDrawingTool::show_change() {
+  emit changed(SketchView);
+  if (sheet_.looks_through()) emit changed(PerspectiveView);
+}
+
+void PerspectiveDrawingTool::show_gesture() {
+  sheet_.scene.show_hovered(sheet_.drawing(), std::nullopt);
+  sheet_.scene.show_preview(sheet_.drawing(), sheet_.tool.preview());
+  show_change();
+}
+
+void PerspectiveDrawingTool::show_guides(const std::optional<Vec2>& from) {
+  sheet_.scene.show_guides(sheet_.drawing(), seen_vanishing_points(sheet_.drawing(), sheet_.tool.solved()), from);
 }
 
 void PerspectiveDrawingTool::add_all_to(Selection& selection) const {
@@ -203,43 +206,28 @@ void PerspectiveDrawingTool::add_all_to(Selection& selection) const {
 }
 
 bool PerspectiveDrawingTool::command(EditCommand command) {
-  if (command == EditCommand::Accept && sheet_.proposal()) {
-    complete_mirrored();
+  if (command == EditCommand::Accept && sheet_.proposal) {
+    complete_mirrored(sheet_);
     return true;
   }
-  if (command != EditCommand::Delete || studio().sheet_node() == 0) return false;
-  return do_and_record(recorded::SheetDelete{sheet_.tool().selected()});
+  if (command != EditCommand::Delete || !sheet_.is_there()) return false;
+  return sheet_.take(recorded::SheetDelete{sheet_.tool.selected()});
 }
 
-bool PerspectiveDrawingTool::open_step(const Node& step) {
-  const OperationDescription* operation = studio().description(step.operation);
-  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
-  const bool is_sheet = source_of<PerspectiveDrawing>(&step) != nullptr;
-  if (!is_sheet && (input == nullptr || input->type != ValueType::PerspectiveDrawing)) return false;
-  if (!draws() && mode() != select_mode) host().set_mode(select_mode);
-  Viewport& views = host().viewport();
-  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+bool PerspectiveDrawingTool::show(const Target& target) {
+  if (const auto* step = std::get_if<const Node*>(&target)) {
+    if (!works_on(studio(), **step, ValueType::PerspectiveDrawing)) return false;
+    if (!draws() && mode_ != select_mode) host().set_mode(select_mode);
+    show_sketch_view(host().viewport());
+    return true;
+  }
+  const auto* found = std::get_if<NodeFinding>(&target);
+  if (found == nullptr || !sheet_.is_there() || found->node != sheet_.tool.operation_node()) return false;
+  look_at_strokes(sheet_, strokes_of(found->finding));
   return true;
 }
 
-QString PerspectiveDrawingTool::help() const {
-  if (sheet_.picks() == SheetInteraction::Pick::Point)
-    return tr("Click the corner whose coordinates are known · Escape stops");
-  if (sheet_.picks() == SheetInteraction::Pick::Length)
-    return tr("Click the stroke whose length is known · Escape stops");
-  if (entry_->isVisible()) return tr("Type a number, if you like with mm, cm, m or in · Enter takes it · Escape stops");
-  if (sheet_.proposal()) return tr("Enter adds the mirrored strokes · Escape leaves them out");
-  switch (sheet_.tool().mode()) {
-    case PerspectiveMode::Select:
-      return tr(
-          "Drag an end, a handle or a vanishing point · 1–6 give a group · Shift adds · Delete removes · D draws");
-    case PerspectiveMode::Erase: return tr("Drag over strokes to erase them · D draws");
-    case PerspectiveMode::Draw: break;
-  }
-  if (sheet_.tool().role() == StrokeRole::Construction)
-    return tr("Draw lines towards the vanishing points · 1 2 3 choose x y z, 0 by direction · E draws edges");
-  return tr("Draw edges: 1 2 3 along x y z, 4 5 6 in planes, 0 by direction · C draws construction lines · Q selects");
-}
+// ---- The views
 
 void PerspectiveDrawingTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
   if (has_view(view)) wanted.nothing = true;
@@ -247,46 +235,36 @@ void PerspectiveDrawingTool::adjust(ObjectScenes::Wanted& wanted, int view) cons
 
 void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
   if (has_view(view)) {
-    const render::Scene sheet = sheet_.scene();
-    scene.lines.insert(scene.lines.end(), sheet.lines.begin(), sheet.lines.end());
-    scene.marks.insert(scene.marks.end(), sheet.marks.begin(), sheet.marks.end());
+    const double unit = host().viewport().pane(SketchView).sketch_frame().units_per_pixel;
+    sheet_.scene.add_to(scene, sheet_.drawing(), unit);
   }
-  add_alternative_to(scene, view);
-  const auto camera = view == PerspectiveView && looks_through() ? host().viewport().looked_through() : std::nullopt;
-  if (!camera || overlay_ == 0) return;
+  chips_.alternatives().add_to(scene, has_view(view));
+  const auto camera =
+      view == PerspectiveView && sheet_.looks_through() ? host().viewport().looked_through() : std::nullopt;
+  if (!camera || sheet_.overlay == 0) return;
   const auto place = [&](const Vec2& sheet) { return camera->before_the_eye(sheet); };
-  for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, overlay_))
+  for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, sheet_.overlay))
     scene.lines.emplace_back(item);
 }
 
-std::optional<Ink> PerspectiveDrawingTool::ink() const {
-  if (!sheet_.inking()) return std::nullopt;
-  return Ink{SketchView, &sheet_.ink()};
+/// Strokes are looked at with what is around them.
+std::optional<SelectionFrame> PerspectiveDrawingTool::selection_frame(int view) const {
+  render::Bounds bounds;
+  for (const std::string& id : has_view(view) ? sheet_.tool.selected() : std::vector<std::string>()) {
+    const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), id);
+    if (stroke == nullptr || !is_drawable(*stroke)) continue;
+    for (const Vec2& place : traced(stroke->pieces, stroke->straight)) bounds.add(on_sketch_plane(place));
+  }
+  const Vec2 around = framed_share * sheet_.drawing().image_size;
+  return frame_around(bounds, glm::dvec3(around.x(), around.y(), 0));
 }
 
-render::Bounds PerspectiveDrawingTool::bounds_in(int view) const {
-  return has_view(view) ? sheet_.bounds() : render::Bounds();
-}
-
-// ---- Looking through
-
-bool PerspectiveDrawingTool::looks_through() const {
-  const NodeId sheet = studio().sheet_node();
-  return sheet != 0 && host().viewport().look_through_node() == sheet && sheet_.result() != nullptr;
-}
-
-void PerspectiveDrawingTool::set_looking_through(bool on) {
-  host().viewport().look_through(on ? studio().sheet_node() : 0);
-}
-
-void PerspectiveDrawingTool::place_chips(ChipPlaces& places) {
-  chips_.place(places, studio().sheet_node() != 0 && !sheet_.inking(), looks_through());
-}
+void PerspectiveDrawingTool::place_chips(ChipPlaces& places) { chips_.place(places, sheet_.is_there() && !inking()); }
 
 // ---- The flow
 
 void PerspectiveDrawingTool::follow(Change change) {
-  if (change == Change::Result) sheet_.follow_result();
+  if (change == Change::Result) follow_result();
   if (change != Change::Document) return;
   const NodeId now = studio().sheet_node();
   if (std::exchange(shown_node_, now) != now) {
@@ -294,56 +272,27 @@ void PerspectiveDrawingTool::follow(Change change) {
     // A drawing that is opened is seen through its own eye.
     if (now != 0) host().viewport().look_through(now);
   }
-  sheet_.follow_document();
+  follow_document();
 }
 
-bool PerspectiveDrawingTool::show_finding(const NodeFinding& found) {
-  if (studio().sheet_node() == 0 || found.node != sheet_.tool().operation_node()) return false;
-  look_at_strokes(strokes_of(found.finding));
-  return true;
+void PerspectiveDrawingTool::follow_document() {
+  if (!pen_.down()) sheet_.tool.set_node(studio().sheet_node());
+  if (!sheet_.is_there()) return;
+  const PerspectiveDrawing& drawing = sheet_.drawing();
+  sheet_.scene.show_drawing(drawing, sheet_.tool.selected(), sheet_.tool.mode() == PerspectiveMode::Select);
+  sheet_.scene.show_preview(drawing, sheet_.tool.preview());
+  propose_mirror(sheet_, false);
+  follow_result();
 }
 
-void PerspectiveDrawingTool::look_at_strokes(const std::vector<std::string>& strokes) {
-  if (strokes.empty()) return;
-  if (mode() != select_mode) host().set_mode(select_mode);
-  sheet_.tool().select(strokes);
-  if (has_view(SketchView)) host().viewport().frame_selection_in(SketchView);
-}
-
-/// Strokes are looked at with what is around them.
-std::optional<SelectionFrame> PerspectiveDrawingTool::selection_frame(int view) const {
-  const std::vector<std::string> ids = sheet_.tool().selected();
-  if (!has_view(view) || ids.empty()) return std::nullopt;
-  SelectionFrame frame;
-  for (const std::string& id : ids) {
-    const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), id);
-    if (stroke == nullptr || !is_drawable(*stroke)) continue;
-    for (const Vec2& place : traced(stroke->pieces, stroke->straight)) frame.bounds.add(on_sketch_plane(place));
-  }
-  if (frame.bounds.empty()) return std::nullopt;
-  const glm::dvec3 middle = frame.bounds.center();
-  const Vec2 around = framed_share * sheet_.drawing().image_size / 2;
-  frame.bounds.add(middle - glm::dvec3(around.x(), around.y(), 0));
-  frame.bounds.add(middle + glm::dvec3(around.x(), around.y(), 0));
-  return frame;
-}
-
-QString PerspectiveDrawingTool::status() const {
-  if (studio().sheet_node() == 0 || sheet_.result() == nullptr) return {};
-  return solid_state(sheet_.drawing(), *sheet_.result(), sheet_.findings()).sentence;
-}
-
-// Recorded steps of perspective drawings, and what replays can expect of them.
-
-void PerspectiveDrawingTool::make_replays(Replays& replays) {
-  for (const recorded::StepKind* kind : recorded::perspective_steps().kinds()) {
-    replays.plays[kind].push_back([this](const recorded::Step& step) {
-      if (studio().sheet_node() == 0) host().action("new-perspective")->trigger();  // the first one begins a drawing
-      sheet_.tool().take(step);
-      return true;
-    });
-  }
-  add_counts(replays, sheet_);
+void PerspectiveDrawingTool::follow_result() {
+  if (!sheet_.is_there()) return;
+  const NodeId node = sheet_.tool.operation_node();
+  sheet_.shown = node == 0 ? nullptr : studio().result(node);
+  const PerspectiveResult* found = sheet_.result();
+  sheet_.tool.set_solved(found == nullptr ? nullptr : solved_by(*found));
+  sheet_.scene.show_result(sheet_.drawing(), found, sheet_.findings());
+  show_change();
 }
 
 }  // namespace croquis::app

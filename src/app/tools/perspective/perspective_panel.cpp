@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/perspective/perspective_panel.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -16,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/tools/perspective/sheet_scene.h"
+#include "app/tools/perspective/sheet.h"
 #include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis::app {
@@ -41,7 +39,7 @@ constexpr std::size_t most_lines = 60;
 /// 0 as a number says that nothing is known.
 std::optional<double> known_number(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
 
-QString camera_words(const SheetInteraction& sheet) {
+QString camera_words(const Sheet& sheet) {
   const PerspectiveResult* result = sheet.result();
   if (result == nullptr) return Panel::tr("No camera yet: draw two lines along each axis");
   const double field = 2 * std::atan(sheet.drawing().image_size.x() / (2 * result->camera.focal_length)) / degree;
@@ -49,7 +47,7 @@ QString camera_words(const SheetInteraction& sheet) {
 }
 
 /// The box about the solid's corners.
-QString size_words(const SheetInteraction& sheet) {
+QString size_words(const Sheet& sheet) {
   const PerspectiveResult* result = sheet.result();
   const BoundingBox box = result == nullptr ? BoundingBox() : bounds_of(result->network);
   if (!box) return {};
@@ -59,7 +57,7 @@ QString size_words(const SheetInteraction& sheet) {
   return Panel::tr("Size %1 × %2 × %3 %4").arg(text(0), text(1), text(2), unit).trimmed();
 }
 
-QProgressBar* make_deviation(Panel& panel, const SheetInteraction& sheet) {
+QProgressBar* make_deviation(Panel& panel, const Sheet& sheet) {
   auto* bar = new QProgressBar(&panel);
   bar->setObjectName("perspective-deviation");
   bar->setRange(0, 100);
@@ -77,27 +75,25 @@ QProgressBar* make_deviation(Panel& panel, const SheetInteraction& sheet) {
   return bar;
 }
 
-void add_camera(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+void add_camera(Panel& panel, Sheet& sheet) {
   panel.column()->addWidget(panel.text("perspective-camera", [&sheet] { return camera_words(sheet); }));
   panel.column()->addWidget(make_deviation(panel, sheet));
   panel.row({panel.label(Panel::tr("Vanishing points")),
              panel.choice_of_values(
                  "perspective-mode", {{Panel::tr("automatic"), "auto"}, {"3", "3"}, {"2", "2"}, {"1", "1"}},
-                 [&sheet] {
-                   const std::string mode = sheet.parameter_text("mode");
-                   return mode.empty() ? std::string("auto") : mode;
-                 },
-                 [host](const std::string& mode) { host.set_parameter("mode", mode); },
+                 [&sheet] { return sheet_parameter<std::string>(sheet, "mode").value_or("auto"); },
+                 [&sheet](const std::string& mode) { set_sheet_parameter(sheet, "mode", mode); },
                  Panel::tr("How many vanishing points aren't at infinity"))});
   panel.column()->addWidget(panel.flag(
-      "perspective-flip", Panel::tr("Turn x and y round"), [&sheet] { return sheet.parameter_flag("flip"); },
-      [host](bool on) { host.set_parameter("flip", on); },
+      "perspective-flip", Panel::tr("Turn x and y round"),
+      [&sheet] { return sheet_parameter<bool>(sheet, "flip").value_or(false); },
+      [&sheet](bool on) { set_sheet_parameter(sheet, "flip", on); },
       Panel::tr("Lets x and y point the other way: a drawing doesn't tell which")));
   QDoubleSpinBox* field = panel.number(
       "perspective-field", {0, 170, 2},
       [&sheet] { return Panel::Number{sheet.drawing().field_of_view.value_or(0) / degree}; },
-      [&sheet, host](double degrees) {
-        host.take(recorded::SheetCamera{known_number(degrees * degree), sheet.drawing().principal_point});
+      [&sheet](double degrees) {
+        sheet.take(recorded::SheetCamera{known_number(degrees * degree), sheet.drawing().principal_point});
       });
   field->setSpecialValueText(Panel::tr("not known"));
   field->setSuffix(QStringLiteral("°"));
@@ -107,12 +103,15 @@ void add_camera(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHos
   overlay->setRange(0, 100);
   overlay->setValue(60);
   overlay->setToolTip(Panel::tr("How strongly the drawing is seen over the solid while you look through it"));
-  QObject::connect(overlay, &QSlider::valueChanged, &panel, [host](int percent) { host.overlay(percent / 100.0); });
+  QObject::connect(overlay, &QSlider::valueChanged, &panel, [&sheet](int percent) {
+    sheet.overlay = percent / 100.0;
+    emit sheet.owner.changed(PerspectiveView);
+  });
   panel.row({panel.label(Panel::tr("Drawing over the solid")), overlay});
 }
 
 /// Width and height of the sheet, or one of the usual shapes.
-void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+void add_sheet(Panel& panel, Sheet& sheet) {
   QStringList words{Panel::tr("Other")};
   for (const SheetShape& shape : shapes) words << Panel::tr(shape.name);
   const auto shape_of = [&sheet] {
@@ -122,20 +121,20 @@ void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost
     const auto found = std::ranges::find_if(shapes, fits);
     return found == shapes.end() ? 0 : 1 + static_cast<int>(found - shapes.begin());
   };
-  const auto take_shape = [&sheet, host](int index) {
+  const auto take_shape = [&sheet](int index) {
     if (index < 1) return;
     const double aspect = shapes[static_cast<std::size_t>(index - 1)].aspect;
     const double longer = sheet.drawing().image_size.maxCoeff();
-    host.take(recorded::SheetSize{aspect > 1 ? Vec2(longer, std::round(longer / aspect))
-                                             : Vec2(std::round(longer * aspect), longer)});
+    sheet.take(recorded::SheetSize{aspect > 1 ? Vec2(longer, std::round(longer / aspect))
+                                              : Vec2(std::round(longer * aspect), longer)});
   };
   const auto side = [&](const char* name, int axis) {
     return panel.number(
         name, {1, longest_sheet, 0}, [&sheet, axis] { return Panel::Number{sheet.drawing().image_size[axis]}; },
-        [&sheet, host, axis](double length) {
+        [&sheet, axis](double length) {
           Vec2 size = sheet.drawing().image_size;
           size[axis] = length;
-          host.take(recorded::SheetSize{size});
+          sheet.take(recorded::SheetSize{size});
         });
   };
   QComboBox* shape =
@@ -144,22 +143,21 @@ void add_sheet(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost
   panel.row({panel.label(Panel::tr("Sheet")), {shape, 1}, side("sheet-width", 0), side("sheet-height", 1)});
 }
 
-void add_known_point(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
-  using Pick = SheetInteraction::Pick;
+void add_known_point(Panel& panel, Sheet& sheet) {
   auto* pick = new QPushButton(Panel::tr("Known point"), &panel);
   pick->setObjectName("perspective-pick-point");
   pick->setCheckable(true);
   pick->setToolTip(Panel::tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
   QObject::connect(pick, &QPushButton::clicked, &panel,
-                   [&sheet](bool on) { sheet.pick(on ? Pick::Point : Pick::None); });
+                   [&sheet](bool on) { app::pick(sheet, on ? SheetPick::Point : SheetPick::None); });
   auto* forget = new QPushButton(QStringLiteral("✕"), &panel);
   forget->setObjectName("perspective-forget-point");
   forget->setToolTip(Panel::tr("No point is known"));
   forget->setMaximumWidth(28);
-  QObject::connect(forget, &QPushButton::clicked, &panel, [host] { host.take(recorded::SheetPoint{}); });
+  QObject::connect(forget, &QPushButton::clicked, &panel, [&sheet] { sheet.take(recorded::SheetPoint{}); });
   panel.row({{pick, 1}, forget});
   panel.also([&sheet, pick, forget] {
-    pick->setChecked(sheet.picks() == Pick::Point);
+    pick->setChecked(sheet.picks == SheetPick::Point);
     forget->setEnabled(sheet.drawing().known_point.has_value());
   });
   const auto coordinate = [&](const char* name, int axis) {
@@ -169,37 +167,37 @@ void add_known_point(Panel& panel, SheetInteraction& sheet, const PerspectivePan
           const auto& known = sheet.drawing().known_point;
           return Panel::Number{known ? known->point[axis] : 0, known.has_value()};
         },
-        [&sheet, host, axis](double value) {
+        [&sheet, axis](double value) {
           std::optional<KnownPoint> known = sheet.drawing().known_point;
           if (!known) return;
           known->point[axis] = value;
-          host.take(recorded::SheetPoint{known});
+          sheet.take(recorded::SheetPoint{known});
         });
   };
   panel.row({coordinate("perspective-point-x", 0), coordinate("perspective-point-y", 1),
              coordinate("perspective-point-z", 2)});
 }
 
-void add_known_length(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+void add_known_length(Panel& panel, Sheet& sheet) {
   QLabel* title = panel.label({});
   panel.also([&sheet, title] {
-    const std::vector<std::string> ids = sheet.tool().selected();
+    const std::vector<std::string> ids = sheet.tool.selected();
     title->setText(ids.size() == 1 ? Panel::tr("Length of %1").arg(QString::fromStdString(ids.front()))
                                    : Panel::tr("Length: select one stroke"));
   });
   QDoubleSpinBox* length = panel.number(
       "perspective-length", {0, 1e9, 3},
       [&sheet] {
-        const std::vector<std::string> ids = sheet.tool().selected();
+        const std::vector<std::string> ids = sheet.tool.selected();
         Panel::Number shown{0, ids.size() == 1};
         for (const KnownLength& known : sheet.drawing().known_lengths) {
           if (shown.enabled && known.stroke == ids.front()) shown.value = known.length;
         }
         return shown;
       },
-      [&sheet, host](double value) {
-        const std::vector<std::string> ids = sheet.tool().selected();
-        if (ids.size() == 1) host.take(recorded::SheetLength{ids.front(), known_number(value)});
+      [&sheet](double value) {
+        const std::vector<std::string> ids = sheet.tool.selected();
+        if (ids.size() == 1) sheet.take(recorded::SheetLength{ids.front(), known_number(value)});
       });
   length->setSpecialValueText(Panel::tr("not known"));
   panel.row({{title, 1}, length});
@@ -214,7 +212,7 @@ void add_known_length(Panel& panel, SheetInteraction& sheet, const PerspectivePa
   panel.row({{panel.label(Panel::tr("Unit of lengths")), 1},
              panel.choice_of_values(
                  "perspective-unit", units, [&sheet] { return sheet.drawing().unit; },
-                 [host](const std::string& unit) { host.take(recorded::SheetUnit{unit}); },
+                 [&sheet](const std::string& unit) { sheet.take(recorded::SheetUnit{unit}); },
                  Panel::tr("Of all lengths and coordinates; known ones keep their size when it changes"))});
 }
 
@@ -238,32 +236,34 @@ void show_lines(QTreeWidget& list, const PerspectiveResult* result) {
   }
 }
 
-void add_lines(Panel& panel, SheetInteraction& sheet, const PerspectivePanelHost& host) {
+void add_lines(Panel& panel, Sheet& sheet) {
   auto* list = new QTreeWidget(&panel);
   list->setObjectName("perspective-lines");
   list->setRootIsDecorated(false);
   list->setHeaderLabels({Panel::tr("Line"), Panel::tr("Along"), Panel::tr("Off by")});
   list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list->setMinimumHeight(90);
-  QObject::connect(list, &QTreeWidget::itemClicked, &panel,
-                   [host](QTreeWidgetItem* item) { host.choose(item->text(0).toStdString()); });
+  QObject::connect(list, &QTreeWidget::itemClicked, &panel, [&sheet](QTreeWidgetItem* item) {
+    if (!sheet.selects()) sheet.host.set_mode(select_mode);
+    sheet.tool.select({item->text(0).toStdString()});
+  });
   panel.column()->addWidget(list, 1);
   panel.also([list, &sheet] { show_lines(*list, sheet.result()); });
 }
 
 }  // namespace
 
-Panel* make_perspective_panel(SheetInteraction& sheet, const PerspectivePanelHost& host) {
+Panel* make_perspective_panel(Sheet& sheet) {
   auto* panel = new Panel("perspective-panel");
   panel->buttons({"group-x", "group-y", "group-z", "group-auto", "group-normal-x", "group-normal-y", "group-normal-z",
                   "construction"},
-                 4, Qt::ToolButtonTextBesideIcon, host.action);
+                 4, Qt::ToolButtonTextBesideIcon, [&sheet](const QString& name) { return sheet.host.action(name); });
   for (auto* button : panel->findChildren<QToolButton*>()) button->setMinimumWidth(number_box_width);
-  add_camera(*panel, sheet, host);
-  add_sheet(*panel, sheet, host);
-  add_known_point(*panel, sheet, host);
-  add_known_length(*panel, sheet, host);
-  add_lines(*panel, sheet, host);
+  add_camera(*panel, sheet);
+  add_sheet(*panel, sheet);
+  add_known_point(*panel, sheet);
+  add_known_length(*panel, sheet);
+  add_lines(*panel, sheet);
   return panel;
 }
 

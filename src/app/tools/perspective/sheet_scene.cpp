@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/tools/perspective/perspective_chips.h"
-#include "app/views/render_color.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -28,25 +27,8 @@ constexpr double seen_residual_px = 1.5;     // smaller ones aren't shown: any h
 constexpr double seen_residual_share = 1.5;  // … nor are those that the drawing's middle line has, times this
 constexpr double far_diagonals = 40;         // vanishing points farther away are no handles
 
-render::LinePath sheet_path(const std::vector<Vec2>& places, const FromSheet& place, bool closed = false) {
-  render::LinePath path;
-  path.closed = closed;
-  path.points.reserve(places.size());
-  for (const Vec2& one : places) path.points.push_back({place(one), 1, {}});
-  return path;
-}
-
 render::LinePath sheet_path(const PerspectiveStroke& stroke, const FromSheet& place) {
-  return sheet_path(traced(stroke.pieces, stroke.straight), place);
-}
-
-/// Null where there is nothing to draw: items of nothing cost draw calls.
-render::LineItemPtr line_item_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
-  return paths.empty() ? nullptr : render::make_line_item(paths, style);
-}
-
-render::MarkItemPtr marks_item(const std::vector<render::Mark>& marks) {
-  return marks.empty() ? nullptr : render::make_mark_item(marks);
+  return path_of(traced(stroke.pieces, stroke.straight), place);
 }
 
 render::LineStyle stroke_style(const PerspectiveStroke& stroke, double opacity) {
@@ -203,8 +185,6 @@ bool is_drawable(const PerspectiveStroke& stroke) {
   });
 }
 
-glm::dvec3 on_sketch_plane(const Vec2& sheet) { return {sheet.x(), -sheet.y(), 0}; }
-
 Vec2 middle_of_stroke(const PerspectiveStroke& stroke) {
   return place_on(stroke.pieces[stroke.pieces.size() / 2], stroke.pieces.size() % 2 == 1 ? 0.5 : 0);
 }
@@ -220,17 +200,16 @@ std::vector<render::LineItemPtr> stroke_items(const PerspectiveDrawing& drawing,
     paths.push_back(sheet_path(stroke, place));
   }
   std::vector<render::LineItemPtr> items;
-  for (const auto& [key, content] : alike) items.push_back(line_item_of(content.second, content.first));
+  for (const auto& [key, content] : alike) items.push_back(lines_of(content.second, content.first));
   return items;
 }
 
 void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vector<std::string>& selected,
                               bool points) {
   strokes_ = stroke_items(drawing, on_sketch_plane, 1);
-  const Vec2 low = drawing.origin, high = drawing.origin + drawing.image_size;
-  const std::vector<Vec2> corners = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  sheet_ = line_item_of({sheet_path(corners, on_sketch_plane, true)},
-                        {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  const std::vector<Vec2> corners = corners_of_box(drawing.origin, drawing.origin + drawing.image_size);
+  sheet_ =
+      lines_of({path_of(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
   bounds_ = sheet_->bounds;
   for (const PerspectiveStroke& stroke : drawing.strokes) {
     if (!is_drawable(stroke)) continue;
@@ -249,13 +228,13 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
                                    joint ? 8 : 7, colors::accent));
     }
   }
-  selected_ = line_item_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
-  points_ = marks_item(anchors);
+  selected_ = lines_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
+  points_ = marks_of(anchors);
   std::vector<render::Mark> dots;
   for (const Vec2& place : vertices_of(drawing)) {
     if (place.allFinite()) dots.push_back(sheet_mark(place, render::MarkShape::Disc, 6, colors::ink));
   }
-  vertices_ = marks_item(dots);
+  vertices_ = marks_of(dots);
 }
 
 void SheetScene::show_result(const PerspectiveDrawing& drawing, const PerspectiveResult* result,
@@ -275,7 +254,7 @@ void SheetScene::show_residuals(const PerspectiveDrawing& drawing, const Perspec
     heat.push_back(sheet_path(*stroke, on_sketch_plane));
     for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 150);
   }
-  residuals_ = line_item_of(heat, {edge_width + 7, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  residuals_ = lines_of(heat, {edge_width + 7, to_color(colors::warning), {}, render::LineDepth::OnTop});
 }
 
 void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
@@ -289,9 +268,9 @@ void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const 
         sheet_mark(*places[axis], render::MarkShape::Disc, 13, group_color(static_cast<StrokeGroup>(axis))));
     handles.back().outline_width = 2;
   }
-  if (places[0] && places[1]) horizon.push_back(sheet_path({*places[0], *places[1]}, on_sketch_plane));
-  vanishing_ = marks_item(handles);
-  horizon_ = line_item_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
+  if (places[0] && places[1]) horizon.push_back(path_of(std::array{*places[0], *places[1]}, on_sketch_plane));
+  vanishing_ = marks_of(handles);
+  horizon_ = lines_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
 }
 
 void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings& findings) {
@@ -302,18 +281,16 @@ void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings
     if (is_of_unfinished(finding)) {
       for (const Vec2& end : loose_ends(drawing, finding)) {
         symbols.push_back(sheet_mark(end, render::MarkShape::Ring, 12, colors::warning));
-        finding_marks_.push_back({end, sentence, false});
+        finding_marks_.push_back({Vec3(end.x(), -end.y(), 0), sentence, false});
       }
       continue;
     }
     const auto at = place_of_finding(finding, drawing);
     if (!at) continue;
-    const bool error = finding.severity == Severity::Error;
-    symbols.push_back(sheet_mark(*at, error ? render::MarkShape::Cross : render::MarkShape::Warning, error ? 14 : 18,
-                                 error ? colors::error : colors::warning));
-    finding_marks_.push_back({*at, sentence, error});
+    finding_marks_.push_back({Vec3(at->x(), -at->y(), 0), sentence, finding.severity == Severity::Error});
+    symbols.push_back(symbol_of(finding_marks_.back()));
   }
-  findings_ = marks_item(symbols);
+  findings_ = marks_of(symbols);
 }
 
 void SheetScene::show_preview(const PerspectiveDrawing& drawing, const PerspectivePreview& preview) {
@@ -325,25 +302,25 @@ void SheetScene::show_preview(const PerspectiveDrawing& drawing, const Perspecti
   render::LineStyle style{edge_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
-    paths.push_back(sheet_path({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, on_sketch_plane, true));
+    paths.push_back(path_of(corners_of_box(low, high), on_sketch_plane, true));
     style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
   }
-  preview_ = line_item_of(paths, style);
-  snap_ = preview.snap ? marks_item({sheet_mark(*preview.snap, render::MarkShape::Ring, 16, colors::hover)}) : nullptr;
+  preview_ = lines_of(paths, style);
+  snap_ = preview.snap ? marks_of({sheet_mark(*preview.snap, render::MarkShape::Ring, 16, colors::hover)}) : nullptr;
 }
 
 void SheetScene::show_hovered(const PerspectiveDrawing& drawing, const std::optional<std::string>& id) {
   const PerspectiveStroke* stroke = id ? find_stroke(drawing, *id) : nullptr;
   hovered_.reset();
   if (stroke == nullptr || !is_drawable(*stroke)) return;
-  hovered_ = line_item_of({sheet_path(*stroke, on_sketch_plane)},
-                          {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = lines_of({sheet_path(*stroke, on_sketch_plane)},
+                      {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
 }
 
 void SheetScene::show_proposed(const std::vector<PerspectiveStroke>& strokes) {
   std::vector<render::LinePath> paths;
   for (const PerspectiveStroke& stroke : strokes) paths.push_back(sheet_path(stroke, on_sketch_plane));
-  proposed_ = line_item_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}, render::LineDepth::OnTop});
+  proposed_ = lines_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}, render::LineDepth::OnTop});
 }
 
 void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array<std::optional<Vec3>, 3>& vanishing,
@@ -355,24 +332,19 @@ void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array
     const Vec2 way = point.head<2>() - point.z() * *from;
     if (!(way.norm() > 0)) continue;
     const Vec2 reach = 2 * drawing.diagonal() * way.normalized();
-    rays.push_back(sheet_path({*from - reach, *from + reach}, on_sketch_plane));
+    rays.push_back(path_of(std::array<Vec2, 2>{*from - reach, *from + reach}, on_sketch_plane));
     const render::Color color = to_color(group_color(static_cast<StrokeGroup>(axis)), 90);
     for (render::LinePoint& end : rays.back().points) end.color = color;
   }
-  guides_ = line_item_of(rays, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  guides_ = lines_of(rays, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
 }
 
-render::Scene SheetScene::scene(const PerspectiveDrawing& drawing, double units_per_pixel) const {
-  render::Scene scene;
-  for (const render::LineItemPtr& item : {sheet_, horizon_, guides_, residuals_, hovered_, selected_})
-    scene.lines.emplace_back(item);
+void SheetScene::add_to(render::Scene& scene, const PerspectiveDrawing& drawing, double units_per_pixel) const {
+  add_items(scene, {sheet_, horizon_, guides_, residuals_, hovered_, selected_});
   for (const render::LineItemPtr& item : strokes_) scene.lines.emplace_back(item);
   for (const render::LineItemPtr& item : letter_items(group_letters(drawing, units_per_pixel), units_per_pixel))
     scene.lines.emplace_back(item);
-  for (const render::LineItemPtr& item : {proposed_, preview_}) scene.lines.emplace_back(item);
-  for (const render::MarkItemPtr& item : {vertices_, points_, vanishing_, findings_, snap_})
-    scene.marks.emplace_back(item);
-  return scene;
+  add_items(scene, {proposed_, preview_}, {vertices_, points_, vanishing_, findings_, snap_});
 }
 
 std::vector<GroupLetter> group_letters(const PerspectiveDrawing& drawing, double unit) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/tools/scene_parts.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/perspective_drawing.h"
 #include "croquis/operators/perspective_result.h"
@@ -18,7 +19,7 @@
 
 namespace croquis::app {
 
-// How groups of strokes look: a colour, dashes and a letter, so that nobody needs to tell colours apart.
+// How groups of strokes look: a colour, dashes and a letter, so that nobody has to know colours apart.
 
 QColor group_color(StrokeGroup group);
 
@@ -38,18 +39,11 @@ std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group);
 /// From pale yellow over orange to dark red, the worse the darker. @param px how far a line misses its vanishing point
 QColor residual_color(double px);
 
-/// A finding and where on the sheet it stands, px, y down.
-struct SheetMark {
-  Vec2 at = Vec2::Zero();
-  QString sentence;
-  bool error = false;
-};
-
 /// Where a place of the sheet lies in a view's space.
 using FromSheet = std::function<glm::dvec3(const Vec2&)>;
 
 /// On the sketch plane, y up.
-glm::dvec3 on_sketch_plane(const Vec2& sheet);
+inline glm::dvec3 on_sketch_plane(const Vec2& sheet) { return {sheet.x(), -sheet.y(), 0}; }
 
 /// A place on the stroke, halfway.
 Vec2 middle_of_stroke(const PerspectiveStroke& stroke);
@@ -73,11 +67,11 @@ class SheetScene {
                    const std::optional<Vec2>& from);
 
   /// @param units_per_pixel of the view: letters keep their size
-  render::Scene scene(const PerspectiveDrawing& drawing, double units_per_pixel) const;
+  void add_to(render::Scene& scene, const PerspectiveDrawing& drawing, double units_per_pixel) const;
 
   /// The sheet and what lies outside of it.
   render::Bounds bounds() const { return bounds_; }
-  const std::vector<SheetMark>& marks() const { return finding_marks_; }
+  const std::vector<FindingMark>& marks() const { return finding_marks_; }
 
  private:
   void show_residuals(const PerspectiveDrawing& drawing, const PerspectiveResult* result);
@@ -88,7 +82,7 @@ class SheetScene {
   render::LineItemPtr sheet_, selected_, hovered_, residuals_, preview_, guides_, proposed_, horizon_;
   render::MarkItemPtr points_, vertices_, findings_, vanishing_, snap_;
   render::Bounds bounds_;
-  std::vector<SheetMark> finding_marks_;
+  std::vector<FindingMark> finding_marks_;
 };
 
 /// The strokes alone, for another view. @param opacity 0..1

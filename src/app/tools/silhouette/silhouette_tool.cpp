@@ -9,10 +9,9 @@
 
 #include "app/panels/finding_elements.h"
 #include "app/replay/replays.h"
+#include "app/tools/scene_parts.h"
 #include "app/views/ink_sheet.h"
 #include "app/views/own_space.h"
-#include "app/views/render_color.h"
-#include "app/views/viewport.h"
 #include "app/window/action_list.h"
 #include "app/window/theme.h"
 #include "croquis/operators/inflate_result.h"
@@ -20,15 +19,12 @@
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
-#include "croquis/workspace/chain.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
-constexpr int pen_watch_ms = 100;
-constexpr double mark_reach = 12;  // logical pixels
-constexpr double stroke_reach = 8;
+constexpr double stroke_reach = 8;  // logical pixels
 constexpr double hint_height = 60;  // above the view's lower border
 
 SketchMode sketch_mode(const QString& mode) {
@@ -71,6 +67,142 @@ ObjectRow row_of(const Body& body) {
   return {body.name, info, joined(body.strokes), body.strokes, true, true, {}};
 }
 
+/// What replays can ask of sketches.
+void add_counts(Replays& replays, const Studio& studio) {
+  // The sketch's solid counts as the bodies that it has.
+  replays.counts["objects"] = [&studio](const std::string&) {
+    std::size_t count = 0;
+    for (const WorkObject& object : studio.objects()) {
+      const InflateResult* inflated = result_of<InflateResult>(object.result.get());
+      const std::size_t bodies = inflated == nullptr || object.result->failed ? 0 : inflated->objects.size();
+      count += object.node == studio.solid_node() ? bodies : object.visible;
+    }
+    return count;
+  };
+  replays.counts["strokes"] = [&studio](const std::string&) { return studio.drawing().strokes.size(); };
+  replays.counts["strokes-behind"] = [&studio](const std::string&) {
+    return count_of(studio.drawing().strokes,
+                    [](const Stroke& stroke) { return stroke.data.contains(silhouette::behind_key); });
+  };
+  const auto add = [&](const char* name, const auto& count) {
+    replays.counts[name] = [&studio, count](const std::string&) {
+      const auto result = studio.result();
+      const InflateResult* inflated = result_of<InflateResult>(result.get());
+      return inflated == nullptr || result->failed ? 0 : count(*inflated);
+    };
+  };
+  add("inner-holes", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return nested.hole; });
+  });
+  add("inner-parts", [](const InflateResult& inflated) {
+    return count_of(inflated.nested, [](const NestedStroke& nested) { return !nested.hole; });
+  });
+  const auto add_kinds = [&](const char* name, std::vector<silhouette::StrokeKind> kinds) {
+    add(name, [kinds = std::move(kinds)](const InflateResult& inflated) {
+      return count_of(inflated.kinds, [&](const auto& read) { return std::ranges::count(kinds, read.second) > 0; });
+    });
+  };
+  add_kinds("details", {silhouette::StrokeKind::Detail, silhouette::StrokeKind::Scribble});
+  add_kinds("tubes", {silhouette::StrokeKind::Tube});
+  add_kinds("left-out", {silhouette::StrokeKind::Ignored});
+  add("crossings-in-view", [](const InflateResult& inflated) { return inflated.crossings_in_view.size(); });
+  add("joined-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Joined); });
+  add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });
+}
+
+/// Empty, with the solid that will be made of it; the pen draws in it at once.
+void add_sketch(ToolHost& host, const DrawingPlane& plane) {
+  Studio& studio = host.studio();
+  Drawing drawing;
+  drawing.plane = plane;
+  const Document& before = studio.session().document();
+  SketchToolOptions options = studio.tool_options();
+  options.name = free_name(before, options.name);
+  const NodeId node = before.next_id();
+  studio.session().edit("Add sketch",
+                        add_drawing(before, std::make_shared<const Drawing>(std::move(drawing)), options));
+  studio.session().select({{node, ""}});
+  host.set_mode(first_mode);
+  host.refresh();
+}
+
+/// On solids as they were drawn, by object: what is refined or cut after that has another surface.
+std::map<NodeId, render::LineItemPtr> lines_on_solids(const Studio& studio) {
+  const render::LineStyle style{ink_width, to_color(colors::ink), {}, render::LineDepth::Tested};
+  std::map<NodeId, render::LineItemPtr> items;
+  for (const WorkObject& object : studio.objects()) {
+    if (!object.result || result_of<InflateResult>(object.result.get()) == nullptr) continue;
+    const auto lines = object.result->outputs.find("lines");
+    if (lines == object.result->outputs.end()) continue;
+    const auto& mesh = lines->second.get<PolyMesh>();
+    std::vector<render::LinePath> paths;
+    for (std::size_t l = 0; l < mesh.line_count(); ++l)
+      paths.push_back(path_of(mesh.line(l), [&](Index v) { return to_glm(mesh.positions[v]); }));
+    if (auto item = lines_of(paths, style)) items[object.node] = std::move(item);
+  }
+  return items;
+}
+
+/// The bodies of a sketch's solid, and strokes that belong to none.
+std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, NodeId node) {
+  const auto drawing =
+      node == object.chain.front() ? source_of<Drawing>(studio.session().document().find(node)) : nullptr;
+  std::vector<ObjectRow> rows;
+  if (!drawing) return rows;
+  const auto result = object.chain.size() < 2 ? nullptr : studio.result(object.chain[1]);
+  const InflateResult* inflated = result_of<InflateResult>(result.get());
+  std::map<std::string, silhouette::StrokeKind> kinds;
+  if (inflated != nullptr) kinds.insert(inflated->kinds.begin(), inflated->kinds.end());
+  std::set<std::string> used;
+  for (const Body& body : bodies_in(studio, object, *drawing)) {
+    rows.push_back(row_of(body));
+    used.insert(body.strokes.begin(), body.strokes.end());
+  }
+  for (const Stroke& stroke : drawing->strokes) {
+    const QString name = QString::fromStdString(stroke.id);
+    if (used.contains(stroke.id)) continue;
+    const auto kind = kinds.find(stroke.id);
+    const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
+    rows.push_back(
+        {name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
+  }
+  return rows;
+}
+
+void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions) {
+  const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
+  QMenu* edit = actions.menu(tr("&Edit"));
+  QAction* join =
+      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
+  edit->insertAction(actions.find("delete"), join);
+  actions.menu(tr("&Object"))->addSeparator();
+  QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
+  const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                             const DrawingPlane& plane) {
+    actions.add(added, name, text, keys, [&host, plane] { add_sketch(host, plane); });
+  };
+  add_plane("add-sketch", tr("Seen from the &front"), {QKeySequence("Ctrl+Shift+N")}, {});
+  add_plane("add-sketch-top", tr("Seen from the &top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
+  add_plane("add-sketch-side", tr("Seen from the &side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
+  QMenu* menu = actions.menu(tr("&Tool"));
+  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
+    actions.add_mode(menu, mode, text, key, [&host, mode] { host.set_mode(mode); });
+  };
+  add_mode("draw", tr("&Draw"), "D");
+  add_mode("erase", tr("&Erase"), "X");
+  add_mode(select_mode, tr("&Select and reshape"), "Q");
+}
+
+QString help_of(SketchMode mode, bool has_strokes) {
+  const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
+  if (mode == SketchMode::Select)
+    return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
+  if (mode == SketchMode::Erase) return tr("Drag over lines to cut pieces out of them · D draws");
+  if (!has_strokes) return tr("Draw a closed outline with the pen or the mouse");
+  return tr(
+      "Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes");
+}
+
 }  // namespace
 
 SilhouetteTool::SilhouetteTool(ToolHost& host)
@@ -81,33 +213,10 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
-  connect(&pen_watch_, &QTimer::timeout, this,
-          [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
 }
 
-void SilhouetteTool::make_actions(ActionList& actions) {
-  QMenu* edit = actions.menu(tr("&Edit"));
-  QAction* join =
-      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [this] { chips_.join_all(); });
-  edit->insertAction(actions.find("delete"), join);
-  actions.menu(tr("&Object"))->addSeparator();
-  QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
-  const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                             const DrawingPlane& plane) {
-    actions.add(added, name, text, keys, [this, plane] { add_sketch(plane); });
-  };
-  add_plane("add-sketch", tr("Seen from the &front"), {QKeySequence("Ctrl+Shift+N")}, {});
-  add_plane("add-sketch-top", tr("Seen from the &top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
-  add_plane("add-sketch-side", tr("Seen from the &side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
-  QMenu* menu = actions.menu(tr("&Tool"));
-  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
-    actions.add_mode(menu, mode, text, key, [this, mode] { host().set_mode(mode); });
-  };
-  add_mode("draw", tr("&Draw"), "D");
-  add_mode("erase", tr("&Erase"), "X");
-  add_mode(select_mode, tr("&Select and reshape"), "Q");
-}
+void SilhouetteTool::make_actions(ActionList& actions) { add_sketch_actions(host(), chips_, actions); }
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
@@ -118,20 +227,14 @@ void SilhouetteTool::refresh() {
 void SilhouetteTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   tool_.set_mode(sketch_mode(mode));
-  PenOptions options = pen_.options();
+  PenOptions options = pen_.input().options();
   options.right_draws = tool_.mode() == SketchMode::Draw;
-  pen_.set_options(options);
+  pen_.input().set_options(options);
   studio().hold_results(inking());
   scene_.show_hovered(std::nullopt, studio().drawing());
   scene_.show_drawing(studio(), tool_);
-  emit changed_in(SketchView);
-  Viewport& views = host().viewport();
-  if (draws() && studio().network_node() == 0 && !views.pane(SketchView).visible())
-    views.arrange(Arrangement::SketchAndSolid);
-}
-
-bool SilhouetteTool::works_in(int view) const {
-  return has_view(view) && (draws() || (mode() == select_mode && is_paper(view)));
+  emit changed(SketchView);
+  if (draws() && studio().network_node() == 0) show_sketch_view(host().viewport());
 }
 
 /// The sketch view shows sketches unless it is the sheet of a drawing in perspective, or a view of a network.
@@ -139,14 +242,16 @@ bool SilhouetteTool::has_view(int view) const {
   return view == SketchView && studio().sheet_node() == 0 && studio().network_node() == 0;
 }
 
-bool SilhouetteTool::is_paper(int view) const {
-  return has_view(view) && (scene_.has_strokes() || !has_cage(studio()));
-}
-
 ViewUse SilhouetteTool::use_of(int view) const {
-  const bool sketched = scene_.has_strokes() || scene_.invites();
-  return {draws() ? Qt::CrossCursor : Qt::ArrowCursor, true, is_paper(view),
-          has_view(view) && sketched ? tr("Sketch") : QString()};
+  const bool is_here = has_view(view);
+  const bool is_paper = is_here && (scene_.has_strokes() || !has_cage(studio()));
+  const bool is_sketched = scene_.has_strokes() || scene_.invites();
+  return {.works = is_here && (draws() || (mode_ == select_mode && is_paper)),
+          .bounds = is_here && scene_.has_strokes() ? scene_.bounds(false) : render::Bounds(),
+          .cursor = draws() ? Qt::CrossCursor : Qt::ArrowCursor,
+          .every_move = true,
+          .paper = is_paper,
+          .title = is_here && is_sketched ? tr("Sketch") : QString()};
 }
 
 void SilhouetteTool::add_all_to(Selection& selection) const {
@@ -159,42 +264,30 @@ bool SilhouetteTool::command(EditCommand command) {
   return tool_.delete_selected() == Verdict::Commit;
 }
 
-bool SilhouetteTool::open_step(const Node& step) {
-  const OperationDescription* operation = studio().description(step.operation);
-  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
-  if (!source_of<Drawing>(&step) && (input == nullptr || input->type != ValueType::Drawing)) return false;
-  const bool works = draws() || mode() == select_mode;
-  if (!works) host().set_mode(first_mode);
-  Viewport& views = host().viewport();
-  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+bool SilhouetteTool::show(const Target& target) {
+  const Document& document = studio().session().document();
+  Selection selection;
+  if (const auto* step = std::get_if<const Node*>(&target)) {
+    if (!works_on(studio(), **step, ValueType::Drawing)) return false;
+    if (!draws() && mode_ != select_mode) host().set_mode(first_mode);
+    show_sketch_view(host().viewport());
+    return true;
+  }
+  if (const auto* found = std::get_if<NodeFinding>(&target)) {
+    if (found->node != studio().solid_node()) return false;
+    for (const std::string& stroke : strokes_of(found->finding)) selection.push_back({studio().drawing_node(), stroke});
+  } else if (const auto* chosen = std::get_if<ChosenParts>(&target)) {
+    if (!source_of<Drawing>(document.find(chosen->node))) return false;
+    for (const std::string& stroke : chosen->parts) selection.push_back({chosen->node, stroke});
+  } else {
+    return false;
+  }
+  studio().session().select(std::move(selection));
   return true;
 }
 
-/// Empty, with the solid that will be made of it; the pen draws in it at once.
-void SilhouetteTool::add_sketch(const DrawingPlane& plane) {
-  Drawing drawing;
-  drawing.plane = plane;
-  const Document& before = studio().session().document();
-  SketchToolOptions options = studio().tool_options();
-  options.name = free_name(before, options.name);
-  const NodeId node = before.next_id();
-  studio().session().edit("Add sketch",
-                          add_drawing(before, std::make_shared<const Drawing>(std::move(drawing)), options));
-  studio().session().select({{node, ""}});
-  host().set_mode(first_mode);
-  host().refresh();
-}
-
-QString SilhouetteTool::help() const {
-  switch (tool_.mode()) {
-    case SketchMode::Select:
-      return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
-    case SketchMode::Erase: return tr("Drag over lines to cut pieces out of them · D draws");
-    case SketchMode::Draw: break;
-  }
-  if (!scene_.has_strokes()) return tr("Draw a closed outline with the pen or the mouse");
-  return tr(
-      "Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes");
+ToolWords SilhouetteTool::words() const {
+  return {.help = help_of(tool_.mode(), scene_.has_strokes()), .tooltip = under_pointer_};
 }
 
 void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
@@ -213,39 +306,12 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
     }
     return;
   }
-  const render::Scene sketch = scene_.scene();
-  scene.lines.insert(scene.lines.end(), sketch.lines.begin(), sketch.lines.end());
-  scene.marks.insert(scene.marks.end(), sketch.marks.begin(), sketch.marks.end());
+  scene_.add_to(scene);
 }
 
-/// Of solids as they were drawn: what is refined or cut after that has another surface.
-void SilhouetteTool::follow_lines() {
-  lines_.clear();
-  for (const WorkObject& object : studio().objects()) {
-    if (!object.result || result_of<InflateResult>(object.result.get()) == nullptr) continue;
-    const auto lines = object.result->outputs.find("lines");
-    if (lines == object.result->outputs.end()) continue;
-    const auto& mesh = lines->second.get<PolyMesh>();
-    std::vector<render::LinePath> paths;
-    for (std::size_t l = 0; l < mesh.line_count(); ++l) {
-      render::LinePath path;
-      for (const Index v : mesh.line(l)) {
-        path.points.push_back({to_glm(mesh.positions[v]), 1, {}});
-      }
-      paths.push_back(std::move(path));
-    }
-    const render::LineStyle style{ink_width, to_color(colors::ink), {}, render::LineDepth::Tested};
-    if (!paths.empty()) lines_[object.node] = render::make_line_item(paths, style);
-  }
-}
-
-std::optional<Ink> SilhouetteTool::ink() const {
-  if (!inking()) return std::nullopt;
-  return Ink{SketchView, &tool_.preview().ink, tool_.preview().behind};
-}
-
-render::Bounds SilhouetteTool::bounds_in(int view) const {
-  return has_view(view) && scene_.has_strokes() ? scene_.bounds(false) : render::Bounds();
+ToolState SilhouetteTool::state() const {
+  if (!inking()) return {};
+  return {.ink = Ink{SketchView, &tool_.preview().ink, tool_.preview().behind}};
 }
 
 std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
@@ -270,44 +336,18 @@ void SilhouetteTool::follow(Change change) {
     scene_.show_preview(tool_.preview());
   } else {
     scene_.show_result(studio());
-    follow_lines();
+    lines_ = lines_on_solids(studio());
   }
   scene_.show_drawing(studio(), tool_);
-  emit changed_in(SketchView);
+  emit changed(SketchView);
   chips_.follow();
 }
 
-bool SilhouetteTool::show_finding(const NodeFinding& found) {
-  if (found.node != studio().solid_node()) return false;
-  Selection selection;
-  for (const std::string& stroke : strokes_of(found.finding)) selection.push_back({studio().drawing_node(), stroke});
-  studio().session().select(std::move(selection));
-  return true;
-}
+// ---- The pen
 
-// ---- The hand
-
-const ViewPane& SilhouetteTool::pane() const { return host().viewport().pane(SketchView); }
-
-void SilhouetteTool::take(const PointerEvent& event) {
-  last_time_ = event.time;
-  since_event_.start();
-  take_pen(pen_.handle(event));
-  if (!pen_.down() && event.action != PointerEvent::Action::Leave) hover(event);
-}
-
-bool SilhouetteTool::abandon() {
-  if (!pen_.down()) return false;
-  take_pen(pen_.cancel());
-  return true;
-}
-
-void SilhouetteTool::take_pen(const std::vector<PenStep>& steps) {
-  const SketchFrame frame = pane().sketch_frame();
-  for (const PenStep& step : steps) feed(to_sketch(step, frame));
-  if (!steps.empty()) show_gesture();
-  if (pen_.down() && !pen_watch_.isActive()) pen_watch_.start(pen_watch_ms);
-  if (!pen_.down()) pen_watch_.stop();
+void SilhouetteTool::feed(const std::vector<PenStep>& steps) {
+  for (const PenStep& step : steps) feed(to_sketch(step, frame()));
+  show_gesture();
 }
 
 void SilhouetteTool::feed(const SketchEvent& event) {
@@ -317,32 +357,20 @@ void SilhouetteTool::feed(const SketchEvent& event) {
 void SilhouetteTool::show_gesture() {
   // Nothing else changes under the pen: what is computed meanwhile is shown when the stroke has ended.
   studio().hold_results(inking());
-  if (inking()) {
-    emit inked();
-    return;
-  }
+  if (inking()) return emit changed(ink_alone);
   scene_.show_hovered(std::nullopt, studio().drawing());
   scene_.show_preview(tool_.preview());
-  emit changed_in(SketchView);
-}
-
-QString SilhouetteTool::told_at(const Vec2& pixel) const {
-  QStringList sentences;
-  for (const FindingMark& finding : scene_.finding_marks()) {
-    const bool under = (pane().sketch_frame().to_pixel(finding.at) - pixel).norm() < mark_reach;
-    if (under && !sentences.contains(finding.sentence)) sentences << finding.sentence;
-  }
-  return sentences.join("\n");
+  emit changed(SketchView);
 }
 
 void SilhouetteTool::hover(const PointerEvent& event) {
-  told_finding_ = told_at(event.position);
+  if (event.action == PointerEvent::Action::Leave) return;
+  under_pointer_ = sentences_at(scene_.finding_marks(), host().viewport().frame_of(SketchView), event.position);
   if (tool_.mode() == SketchMode::Draw) return;
-  const SketchFrame frame = pane().sketch_frame();
   const auto found =
-      nearest_stroke(studio().drawing(), frame.to_sketch(event.position), {stroke_reach, frame.units_per_pixel});
+      nearest_stroke(studio().drawing(), frame().to_sketch(event.position), {stroke_reach, frame().units_per_pixel});
   scene_.show_hovered(found ? std::optional(found->id) : std::nullopt, studio().drawing());
-  emit changed_in(SketchView);
+  emit changed(SketchView);
 }
 
 void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers,
@@ -350,7 +378,7 @@ void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bo
   SketchEvent event;
   event.erases = erases;
   event.modifiers = modifiers;
-  event.units_per_pixel = scale > 0 ? scale : pane().sketch_frame().units_per_pixel;
+  event.units_per_pixel = scale > 0 ? scale : frame().units_per_pixel;
   event.kind = PenStep::Kind::Begin;
   for (const StrokeSample& sample : samples) {
     event.sample = sample;
@@ -381,84 +409,11 @@ void SilhouetteTool::make_replays(Replays& replays) {
                    modifiers_of(box.modifiers), 0);
     return true;
   });
-  add_counts(replays);
+  add_counts(replays, studio());
 }
-
-void SilhouetteTool::add_counts(Replays& replays) {
-  // The sketch's solid counts as the bodies that it has.
-  replays.counts["objects"] = [this](const std::string&) {
-    std::size_t count = 0;
-    for (const WorkObject& object : studio().objects()) {
-      const InflateResult* inflated = result_of<InflateResult>(object.result.get());
-      const std::size_t bodies = inflated == nullptr || object.result->failed ? 0 : inflated->objects.size();
-      count += object.node == studio().solid_node() ? bodies : object.visible;
-    }
-    return count;
-  };
-  replays.counts["strokes"] = [this](const std::string&) { return studio().drawing().strokes.size(); };
-  replays.counts["strokes-behind"] = [this](const std::string&) {
-    return count_of(studio().drawing().strokes,
-                    [](const Stroke& stroke) { return stroke.data.contains(silhouette::behind_key); });
-  };
-  const auto add = [&](const char* name, const auto& count) {
-    replays.counts[name] = [this, count](const std::string&) {
-      const auto result = studio().result();
-      const InflateResult* inflated = result_of<InflateResult>(result.get());
-      return inflated == nullptr || result->failed ? 0 : count(*inflated);
-    };
-  };
-  add("inner-holes", [](const InflateResult& inflated) {
-    return count_of(inflated.nested, [](const NestedStroke& nested) { return nested.hole; });
-  });
-  add("inner-parts", [](const InflateResult& inflated) {
-    return count_of(inflated.nested, [](const NestedStroke& nested) { return !nested.hole; });
-  });
-  const auto add_kinds = [&](const char* name, std::vector<silhouette::StrokeKind> kinds) {
-    add(name, [kinds = std::move(kinds)](const InflateResult& inflated) {
-      return count_of(inflated.kinds, [&](const auto& read) { return std::ranges::count(kinds, read.second) > 0; });
-    });
-  };
-  add_kinds("details", {silhouette::StrokeKind::Detail, silhouette::StrokeKind::Scribble});
-  add_kinds("tubes", {silhouette::StrokeKind::Tube});
-  add_kinds("left-out", {silhouette::StrokeKind::Ignored});
-  add("crossings-in-view", [](const InflateResult& inflated) { return inflated.crossings_in_view.size(); });
-  add("joined-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Joined); });
-  add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });
-}
-
-// ---- Lists: the bodies of their solids, and strokes that belong to none.
 
 std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) const {
-  const auto drawing =
-      node == object.chain.front() ? source_of<Drawing>(studio().session().document().find(node)) : nullptr;
-  std::vector<ObjectRow> rows;
-  if (!drawing) return rows;
-  const auto result = object.chain.size() < 2 ? nullptr : studio().result(object.chain[1]);
-  const InflateResult* inflated = result_of<InflateResult>(result.get());
-  std::map<std::string, silhouette::StrokeKind> kinds;
-  if (inflated != nullptr) kinds.insert(inflated->kinds.begin(), inflated->kinds.end());
-  std::set<std::string> used;
-  for (const Body& body : bodies_in(studio(), object, *drawing)) {
-    rows.push_back(row_of(body));
-    used.insert(body.strokes.begin(), body.strokes.end());
-  }
-  for (const Stroke& stroke : drawing->strokes) {
-    const QString name = QString::fromStdString(stroke.id);
-    if (used.contains(stroke.id)) continue;
-    const auto kind = kinds.find(stroke.id);
-    const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
-    rows.push_back(
-        {name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
-  }
-  return rows;
-}
-
-bool SilhouetteTool::choose_parts(NodeId node, const std::vector<std::string>& parts) {
-  if (!source_of<Drawing>(studio().session().document().find(node))) return false;
-  Selection selection;
-  for (const std::string& stroke : parts) selection.push_back({node, stroke});
-  studio().session().select(std::move(selection));
-  return true;
+  return rows_of(studio(), object, node);
 }
 
 QString SilhouetteTool::owner_of(const NodeFinding& found) const {

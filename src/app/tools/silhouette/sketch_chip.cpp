@@ -97,10 +97,10 @@ std::vector<ReadStroke> read_strokes(const InflateResult& inflated, const Drawin
   for (const auto& [id, found] : inflated.kinds) {
     const Stroke* stroke = find_stroke(drawing, id);
     if (stroke == nullptr || stroke->samples.empty()) continue;
-    const StrokeKind told = silhouette::stroke_kind(*stroke).value_or(StrokeKind::Visible);
-    const bool is_told = told != StrokeKind::Visible;
-    const StrokeKind kind = is_told ? told : found;
-    const ReadStroke read{id, kind, is_told, stroke->samples[stroke->samples.size() / 2].position};
+    const StrokeKind chosen_kind = silhouette::stroke_kind(*stroke).value_or(StrokeKind::Visible);
+    const bool is_chosen = chosen_kind != StrokeKind::Visible;
+    const StrokeKind kind = is_chosen ? chosen_kind : found;
+    const ReadStroke read{id, kind, is_chosen, stroke->samples[stroke->samples.size() / 2].position};
     const bool has_chip = kind == StrokeKind::Hole || kind == StrokeKind::Part || kind == StrokeKind::Blob;
     if (std::ranges::find(selected, id) != selected.end())
       chosen.push_back(read);

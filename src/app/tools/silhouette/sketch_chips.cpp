@@ -93,6 +93,14 @@ bool is_tube(const InflateResult& inflated, const std::string& name) {
          });
 }
 
+/// What a stroke can be.
+std::vector<StrokeKind> kinds_for(const Stroke& stroke) {
+  if (!stroke.closed)
+    return {StrokeKind::Contour, StrokeKind::Tube, StrokeKind::Detail, StrokeKind::Scribble, StrokeKind::Ignored};
+  return {StrokeKind::Contour, StrokeKind::Part,     StrokeKind::Hole,   StrokeKind::Blob,
+          StrokeKind::Detail,  StrokeKind::Scribble, StrokeKind::Ignored};
+}
+
 double blend_after(double from, const QPointF& by) {
   return std::clamp(chip_number(from + (by.x() - by.y()) / pixels_per_blend), 0.0, 1.0);
 }
@@ -338,13 +346,7 @@ void SketchChips::ask_kind(const ReadStroke& read, QWidget& chip) {
   };
   offer(StrokeKind::Visible, tr("As read from the drawing"));
   menu->addSeparator();
-  std::vector<StrokeKind> kinds{StrokeKind::Contour, StrokeKind::Detail, StrokeKind::Scribble};
-  if (stroke->closed)
-    kinds.insert(kinds.begin() + 1, {StrokeKind::Part, StrokeKind::Hole, StrokeKind::Blob});
-  else
-    kinds.insert(kinds.begin() + 1, StrokeKind::Tube);
-  kinds.push_back(StrokeKind::Ignored);
-  for (const StrokeKind kind : kinds) offer(kind, word_of(kind));
+  for (const StrokeKind kind : kinds_for(*stroke)) offer(kind, word_of(kind));
   menu->popup(chip.mapToGlobal(QPoint(0, chip.height() + 2)));
 }
 
@@ -403,7 +405,7 @@ void SketchChips::join_all() {
   studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false, tr("Join all parts").toStdString());
 }
 
-/// Of the solid; nothing while the text has mistakes, which its findings tell of.
+/// Of the solid; nothing while the text has mistakes, which findings name.
 AttachText SketchChips::attach() const {
   const Node* operation = studio_.solid_operation();
   const auto result = studio_.result();

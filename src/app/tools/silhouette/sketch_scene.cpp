@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "app/views/render_color.h"
 #include "app/window/theme.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/operators/inflate_result.h"
@@ -28,21 +27,9 @@ bool lies_on(const Vec2& place, const std::vector<Vec2>& line, double reach) {
 constexpr double other_width = 1.4;   // logical pixels
 constexpr int covered_strength = 70;  // of 255
 
-glm::dvec3 on_plane(const Vec2& place) { return {place.x(), place.y(), 0}; }
-
-render::LinePath path_of(const Stroke& stroke) {
-  render::LinePath path;
-  path.closed = stroke.closed;
-  path.points.reserve(stroke.samples.size());
-  for (const StrokeSample& sample : stroke.samples) path.points.push_back({on_plane(sample.position), 1, {}});
-  return path;
-}
-
-render::LinePath path_of(const std::vector<Vec2>& places, bool closed) {
-  render::LinePath path;
-  path.closed = closed;
-  for (const Vec2& place : places) path.points.push_back({on_plane(place), 1, {}});
-  return path;
+render::LinePath path_of_stroke(const Stroke& stroke) {
+  return path_of(
+      stroke.samples, [](const StrokeSample& sample) { return on_plane(sample.position); }, stroke.closed);
 }
 
 /// What others cover of the path drawn last is pale.
@@ -59,18 +46,9 @@ std::vector<render::LinePath> paths_of_others(const Studio& studio) {
     const Node* first = studio.session().document().find(object.chain.front());
     const auto drawing = source_of<Drawing>(first);
     if (!drawing || first->id == studio.drawing_node() || !object.visible || !drawing->plane.is_default()) continue;
-    for (const Stroke& stroke : drawing->strokes) paths.push_back(path_of(stroke));
+    for (const Stroke& stroke : drawing->strokes) paths.push_back(path_of_stroke(stroke));
   }
   return paths;
-}
-
-/// Null where there is nothing to draw: items of nothing cost draw calls.
-render::LineItemPtr lines(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
-  return paths.empty() ? nullptr : render::make_line_item(paths, style);
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// All arcs of a drawing, and the label of each.
@@ -84,11 +62,11 @@ render::LineItemPtr hidden_contours(const Labels& labels) {
   std::vector<render::LinePath> paths;
   for (std::size_t i = 0; i < labels.arcs.size(); ++i) {
     if (labels.arcs[i].depth == 0) continue;
-    render::LinePath path = path_of(labels.drawing.strokes[i]);
+    render::LinePath path = path_of_stroke(labels.drawing.strokes[i]);
     for (render::LinePoint& point : path.points) point.color = to_color(depth_color(labels.arcs[i].depth));
     paths.push_back(std::move(path));
   }
-  return lines(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
+  return lines_of(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
 }
 
 std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResult& inflated) {
@@ -137,15 +115,8 @@ std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
   return std::nullopt;
 }
 
-render::Mark finding_symbol(const FindingMark& finding) {
-  render::Mark mark{on_plane(finding.at), finding.error ? render::MarkShape::Cross : render::MarkShape::Warning,
-                    finding.error ? 14.0F : 18.0F, to_color(finding.error ? colors::error : colors::warning)};
-  mark.outline_width = 2;
-  return mark;
-}
-
 render::LineItemPtr ghost_item() {
-  return render::make_line_item(path_of(first_ghost(), true),
+  return render::make_line_item(path_of(first_ghost(), on_plane, true),
                                 {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
 }
 
@@ -199,8 +170,8 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   std::vector<render::LinePath> selected;
   std::vector<render::Mark> anchors;
   for (const Stroke& stroke : drawing.strokes) {
-    const bool is_selected = contains(chosen, stroke.id);
-    (is_selected ? selected : plain).push_back(path_of(stroke));
+    const bool is_selected = std::ranges::count(chosen, stroke.id) > 0;
+    (is_selected ? selected : plain).push_back(path_of_stroke(stroke));
     fade_covered(plain, is_selected ? std::vector<bool>() : covered_samples(stroke, covered_));
     const StrokeFit* fit = is_selected && tool.mode() == SketchMode::Select ? tool.fit(stroke.id) : nullptr;
     if (fit == nullptr) continue;
@@ -208,10 +179,11 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
       anchors.push_back({on_plane(anchor.position), render::MarkShape::Square, 7, to_color(colors::accent)});
     }
   }
-  strokes_ = lines(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
-  selected_ = lines(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
-  anchors_ = anchors.empty() ? nullptr : render::make_mark_item(anchors);
-  others_ = lines(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}, render::LineDepth::OnTop});
+  strokes_ = lines_of(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
+  selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  anchors_ = marks_of(anchors);
+  others_ =
+      lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}, render::LineDepth::OnTop});
   const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
@@ -234,39 +206,40 @@ void SketchScene::show_result(const Studio& studio) {
     }
     for (const Finding& finding : result->findings) {
       const auto at = place_of(finding, studio.drawing());
-      if (at && finding.severity != Severity::Info)  // chips tell how the drawing is read
-        finding_marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
+      if (at && finding.severity != Severity::Info)  // chips say how the drawing is read
+        finding_marks_.push_back(
+            {Vec3(at->x(), at->y(), 0), QString::fromStdString(finding.message), finding.severity == Severity::Error});
     }
   }
-  for (const FindingMark& finding : finding_marks_) marks.push_back(finding_symbol(finding));
-  marks_ = marks.empty() ? nullptr : render::make_mark_item(marks);
+  for (const FindingMark& finding : finding_marks_) {
+    marks.push_back(symbol_of(finding));
+    marks.back().outline_width = 2;
+  }
+  marks_ = marks_of(marks);
 }
 
 void SketchScene::show_preview(const SketchPreview& preview) {
   std::vector<render::LinePath> paths;
-  for (const std::vector<Vec2>& piece : preview.erased) paths.push_back(path_of(piece, false));
+  for (const std::vector<Vec2>& piece : preview.erased) paths.push_back(path_of(piece, on_plane));
   render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
-    paths.push_back(path_of({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true));
+    paths.push_back(path_of(corners_of_box(low, high), on_plane, true));
     style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
   }
-  preview_lines_ = lines(paths, style);
+  preview_lines_ = lines_of(paths, style);
 }
 
 void SketchScene::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
   const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
-  hovered_ = found == nullptr
-                 ? nullptr
-                 : render::make_line_item(
-                       path_of(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = found == nullptr ? nullptr
+                              : render::make_line_item(
+                                    path_of_stroke(*found),
+                                    {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
 }
 
-render::Scene SketchScene::scene() const {
-  render::Scene scene;
-  scene.lines = {{ghost_}, {others_}, {hidden_}, {hovered_}, {strokes_}, {selected_}, {preview_lines_}};
-  scene.marks = {{anchors_}, {marks_}};
-  return scene;
+void SketchScene::add_to(render::Scene& scene) const {
+  add_items(scene, {ghost_, others_, hidden_, hovered_, strokes_, selected_, preview_lines_}, {anchors_, marks_});
 }
 
 render::Bounds SketchScene::bounds(bool selected_only) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "app/tools/scene_parts.h"
 #include "app/views/ink_sheet.h"
 #include "croquis/document/evaluation.h"
 #include "croquis/geometry/drawing.h"
@@ -30,13 +31,6 @@ CoveredStrokes covered_strokes(const Evaluation* solid);
 /// Whether each sample of a stroke is covered; empty where none is.
 std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered);
 
-/// A finding and where on the sketch plane it stands.
-struct FindingMark {
-  Vec2 at = Vec2::Zero();
-  QString sentence;
-  bool error = false;
-};
-
 /// What the sketch view shows of the studio's drawing, made ready for the renderer. Items are kept until what they
 /// show changes.
 class SketchScene {
@@ -53,7 +47,7 @@ class SketchScene {
   /// The stroke under the pointer, or none.
   void show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing);
 
-  render::Scene scene() const;
+  void add_to(render::Scene& scene) const;
 
   /// The box of the strokes, of the selected ones alone if there are any and that is asked for.
   render::Bounds bounds(bool selected_only) const;

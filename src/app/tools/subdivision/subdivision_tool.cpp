@@ -262,7 +262,7 @@ Findings keep_selected_faces(Studio& studio, KeptShape kept) {
 
 SubdivisionTool::SubdivisionTool(ToolHost& host)
     : Tool(host), comparison_(host.studio(), host.viewport().objects().threads(), nullptr) {
-  connect(&comparison_, &Comparison::changed, this, [this] { emit changed_in(ComparisonView); });
+  connect(&comparison_, &Comparison::changed, this, [this] { emit changed(ComparisonView); });
 }
 
 void SubdivisionTool::make_actions(ActionList& actions) {
@@ -336,12 +336,10 @@ void SubdivisionTool::refresh() {
   chains_->show_chains(object);
 }
 
-QString SubdivisionTool::offer(const WorkObject& object) const {
-  if (object.cage == 0 || shown_level(studio()) < 0) return {};
+QString SubdivisionTool::offer() const {
+  if (studio().active() == nullptr || studio().active()->cage == 0 || shown_level(studio()) < 0) return {};
   return tr("1 cage, 2 both, 3 smooth · Page Up and Down change the level · F10 picks edges to sharpen");
 }
-
-QString SubdivisionTool::status() const { return ChainTable::summary(studio().active()); }
 
 void SubdivisionTool::compare(bool shown) {
   comparison_.show(shown);
@@ -365,9 +363,7 @@ void SubdivisionTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
 }
 
 ViewUse SubdivisionTool::use_of(int view) const {
-  ViewUse use;
-  if (view == ComparisonView) use.title = comparison_.title();
-  return use;
+  return {.title = view == ComparisonView ? comparison_.title() : QString()};
 }
 
 void SubdivisionTool::follow(Change change) {

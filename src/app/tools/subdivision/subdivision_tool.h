@@ -121,15 +121,15 @@ class SubdivisionTool final : public Tool {
 
   void make_actions(ActionList& actions) override;
   void make_panels(PanelDocks& panels) override;
-  void refresh() override;
-  QString offer(const WorkObject& object) const override;
-  QString status() const override;
-
-  void adjust(ObjectScenes::Wanted& wanted, int view) const override;
-  ViewUse use_of(int view) const override;
-  bool busy() const override { return comparison_.busy(); }
-  void follow(Change change) override;
   void make_replays(Replays& replays) override;
+  void refresh() override;
+  void follow(Change change) override;
+
+  ViewUse use_of(int view) const override;
+  ToolWords words() const override { return {.status = ChainTable::summary(studio().active())}; }
+  ToolState state() const override { return {.busy = comparison_.busy()}; }
+  QString offer() const override;
+  void adjust(ObjectScenes::Wanted& wanted, int view) const override;
 
  private:
   void make_scheme_actions(ActionList& actions, QMenu* schemes, QMenu* compared);

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QLabel>
-#include <QMetaObject>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
@@ -16,12 +15,13 @@
 #include "app/window/theme.h"
 #include "croquis/attribute_surface/network_elements.h"
 #include "croquis/attribute_surface/surface_tessellation.h"
-#include "croquis/base/error.h"
 
 namespace croquis::app {
 namespace {
 
-std::shared_ptr<const UniformGhost::Compared> compare(const ShownSurface& shown, Progress& progress) {
+using ComparedPtr = std::shared_ptr<const UniformGhost::Compared>;
+
+ComparedPtr compare(const ShownSurface& shown, Progress& progress) {
   auto made = std::make_shared<UniformGhost::Compared>();
   made->shown = shown;
   made->comparison = compare_with_uniform(shown.network(), shown.surface(), progress);
@@ -175,13 +175,6 @@ QString length_text(double value, const std::string& units) {
 
 }  // namespace
 
-UniformGhost::UniformGhost() { thread_.setMaxThreadCount(1); }
-
-UniformGhost::~UniformGhost() {
-  if (running_) *running_ = true;
-  thread_.waitForDone();
-}
-
 void UniformGhost::set_on(bool on) {
   on_ = on;
   if (on) {
@@ -201,29 +194,13 @@ void UniformGhost::follow(const ShownSurface& shown) {
 void UniformGhost::begin() {
   const bool is_there =
       compared_ && compared_->shown.result == wanted_.result && compared_->shown.to_world == wanted_.to_world;
-  if (!on_ || running_ || !wanted_ || is_there) return;
-  running_ = std::make_shared<std::atomic<bool>>(false);
-  thread_.start([this, shown = wanted_, stop = running_, alive = std::weak_ptr<bool>(alive_)] {
-    Progress progress({}, stop.get());
-    std::shared_ptr<const Compared> made;
-    try {
-      made = compare(shown, progress);
-    } catch (const Cancelled&) {
-      made.reset();
-    } catch (const Error&) {
-      made.reset();  // what is wrong with the network is told by its own surfaces
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, made, alive] {
-          if (!alive.expired()) take(made);
-        },
-        Qt::QueuedConnection);
-  });
+  if (!on_ || job_.runs() || !wanted_ || is_there) return;
+  // What is wrong with the network is said by its own surfaces.
+  job_.start([shown = wanted_](Progress& progress) { return compare(shown, progress); },
+             [this](const std::optional<ComparedPtr>& made) { take(made.value_or(nullptr)); });
 }
 
 void UniformGhost::take(const std::shared_ptr<const Compared>& made) {
-  running_.reset();
   if (on_ && made) compared_ = made;
   const bool is_old = on_ && made && made->shown.result != wanted_.result;
   emit changed();
@@ -289,7 +266,7 @@ void DomainView::paintEvent(QPaintEvent*) {
   paint_domain(painter, *uniform_, {beside, tr("uniform"), below});
 }
 
-DomainPanel::DomainPanel(NetworkInteraction& network, const UniformGhost& ghost, QAction* compare)
+DomainPanel::DomainPanel(DrawnNetwork& network, const UniformGhost& ghost, QAction* compare)
     : network_(network),
       ghost_(ghost),
       view_(new DomainView(this)),
@@ -315,13 +292,13 @@ DomainPanel::DomainPanel(NetworkInteraction& network, const UniformGhost& ghost,
 
 std::string DomainPanel::wanted_face() const {
   const AttributeNetwork& network = network_.network();
-  const NetworkElements selected = network_.tool().selected();
+  const NetworkElements selected = network_.tool.selected();
   if (!selected.faces.empty()) return selected.faces.front();
   for (const std::string& id : selected.points) {
     const Index point = find_element(network, NetworkElement::Point, id);
     if (point != no_index) return network.faces[network.points[point].face].id;
   }
-  if (const auto& hit = network_.tool().preview().hit) return hit->face;
+  if (const auto& hit = network_.tool.preview().hit) return hit->face;
   const bool is_there = find_element(network, NetworkElement::Face, face_) != no_index;
   if (is_there) return face_;
   return network.faces.empty() ? std::string() : network.faces.front().id;
@@ -329,11 +306,11 @@ std::string DomainPanel::wanted_face() const {
 
 void DomainPanel::follow() {
   face_ = wanted_face();
-  const ShownSurface& shown = network_.shown();
-  const NetworkElements selected = network_.tool().selected();
+  const ShownSurface& shown = network_.shown;
+  const NetworkElements selected = network_.tool.selected();
   std::optional<DomainPicture> own, uniform;
   if (shown) own = domain_picture(shown.network(), shown.surface(), face_, selected);
-  const auto& hit = network_.tool().preview().hit;
+  const auto& hit = network_.tool.preview().hit;
   if (own && hit && hit->face == face_ && hit->fan.corner < own->polygon.corners.size())
     own->pointer = place_in(own->polygon, hit->fan);
   if (const UniformGhost::Compared* compared = ghost_.compared(); own && compared != nullptr)
@@ -345,7 +322,7 @@ void DomainPanel::follow() {
 
 /// The comparison's numbers stand in brackets behind the own ones.
 QString DomainPanel::numbers_text() const {
-  const ShownSurface& shown = network_.shown();
+  const ShownSurface& shown = network_.shown;
   const auto own = shown ? domain_anisotropy(shown.network(), shown.found->measures, face_) : std::nullopt;
   if (!own) return {};
   const UniformGhost::Compared* compared = ghost_.compared();

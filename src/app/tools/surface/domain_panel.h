@@ -3,16 +3,15 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 #include <QWidget>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/tools/surface/network_interaction.h"
+#include "app/tools/background_job.h"
+#include "app/tools/surface/network.h"
 #include "app/tools/surface/network_scene.h"
 #include "croquis/attribute_surface/domain_comparison.h"
 #include "croquis/attribute_surface/surface_measures.h"
@@ -29,9 +28,6 @@ class UniformGhost : public QObject {
   Q_OBJECT
 
  public:
-  UniformGhost();
-  ~UniformGhost() override;
-
   bool on() const { return on_; }
   void set_on(bool on);
 
@@ -46,7 +42,7 @@ class UniformGhost : public QObject {
     render::MeshItemPtr item;  ///< in the world; null where there is no surface
   };
   const Compared* compared() const { return compared_.get(); }
-  bool busy() const { return running_ != nullptr; }
+  bool busy() const { return job_.runs(); }
 
  signals:
   void changed();
@@ -58,9 +54,7 @@ class UniformGhost : public QObject {
   bool on_ = false;
   ShownSurface wanted_;
   std::shared_ptr<const Compared> compared_;
-  std::shared_ptr<std::atomic<bool>> running_;  ///< set: it is to stop. Null: nothing runs
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
-  QThreadPool thread_;
+  BackgroundJob job_;
 };
 
 /// The domain of a face with what lies in it.
@@ -120,7 +114,7 @@ class DomainPanel : public QWidget {
 
  public:
   /// @param compare the action that shows the uniform domain, too
-  DomainPanel(NetworkInteraction& network, const UniformGhost& ghost, QAction* compare);
+  DomainPanel(DrawnNetwork& network, const UniformGhost& ghost, QAction* compare);
 
   /// After the document, a result, the selection or the pointer's place has changed.
   void follow();
@@ -135,7 +129,7 @@ class DomainPanel : public QWidget {
   QString numbers_text() const;
   QString points_text() const;
 
-  NetworkInteraction& network_;
+  DrawnNetwork& network_;
   const UniformGhost& ghost_;
   std::string face_;
   DomainView* view_;

@@ -8,7 +8,6 @@
 
 #include <Eigen/LU>
 
-#include "app/views/render_color.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -17,8 +16,8 @@ namespace {
 constexpr double crease_width = 2.8, smooth_width = 1.5, inner_width = 1.6;  // logical pixels
 constexpr double halo_width = 6;
 constexpr int behind_alpha = 70;      // of lines that surfaces hide: faint, but seen
-constexpr double told_degrees = 0.1;  // an angle between patches that nobody sees
-constexpr double greatest_told = 2;   // degrees: where the colours end
+constexpr double seen_degrees = 0.1;  // an angle between patches that nobody sees
+constexpr double greatest_shown = 2;  // degrees: where the colours end
 constexpr double jump_degree = std::numbers::pi / 180;
 const QColor smooth_color(64, 92, 150);
 const QColor inner_color(112, 64, 150);
@@ -68,15 +67,12 @@ std::optional<Vec3> place_of(const Finding& finding, const AttributeNetwork& net
   return std::nullopt;
 }
 
-}  // namespace
-
-render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed) {
-  render::LinePath path;
-  path.closed = closed;
-  path.points.reserve(places.size());
-  for (const Vec3& place : places) path.points.push_back({to_glm(to_world(place)), 1, {}});
-  return path;
+render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed = false) {
+  return path_of(
+      places, [&](const Vec3& place) { return to_glm(to_world(place)); }, closed);
 }
+
+}  // namespace
 
 render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
   return path_through(traced_curve(network, curve), to_world);
@@ -84,14 +80,6 @@ render::LinePath curve_path(const AttributeNetwork& network, Index curve, const 
 
 render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color) {
   return {to_glm(world), shape, size, to_color(color)};
-}
-
-render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style) {
-  return paths.empty() ? nullptr : render::make_line_item(paths, style);
-}
-
-render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks) {
-  return marks.empty() ? nullptr : render::make_mark_item(marks);
 }
 
 render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world) {
@@ -159,7 +147,7 @@ ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operatio
 }
 
 QColor jump_color(double degrees) {
-  const double share = std::clamp((degrees - told_degrees) / (greatest_told - told_degrees), 0.0, 1.0);
+  const double share = std::clamp((degrees - seen_degrees) / (greatest_shown - seen_degrees), 0.0, 1.0);
   return QColor::fromHsvF(static_cast<float>((1 - share) / 3), 0.85F, 0.75F);
 }
 
@@ -246,10 +234,8 @@ void NetworkScene::show_findings(const AttributeNetwork& network, const Affine3&
   for (const Finding& finding : findings) {
     const auto at = finding.severity == Severity::Info ? std::nullopt : place_of(finding, network, to_world);
     if (!at) continue;
-    const bool error = finding.severity == Severity::Error;
-    symbols.push_back(place_mark(*at, error ? render::MarkShape::Cross : render::MarkShape::Warning, error ? 14 : 18,
-                                 error ? colors::error : colors::warning));
-    marks_.push_back({*at, QString::fromStdString(finding.message), error});
+    marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
+    symbols.push_back(symbol_of(marks_.back()));
   }
   findings_ = marks_of(symbols);
 }
@@ -295,23 +281,17 @@ void NetworkScene::show_jumps(const AttributeNetwork& network, const ShownSurfac
     paths.push_back(curve_path(network, curve, shown.to_world));
     for (render::LinePoint& point : paths.back().points) point.color = to_color(jump_color(degrees));
     numbers_.push_back({middle_of(network, curve, shown.to_world),
-                        QString::number(degrees, 'f', degrees < told_degrees ? 3 : 2) + QStringLiteral("°"),
+                        QString::number(degrees, 'f', degrees < seen_degrees ? 3 : 2) + QStringLiteral("°"),
                         jump_color(degrees)});
   }
   jumps_ = lines_of(paths, {halo_width - 1, to_color(colors::warning), {}, render::LineDepth::OnTop});
 }
 
 void NetworkScene::add_to(render::Scene& scene) const {
-  const auto add = [&](const render::LineItemPtr& item) {
-    if (item) scene.lines.emplace_back(item);
-  };
-  add(selected_);
-  add(jumps_);
-  for (const render::LineItemPtr& item : curves_) add(item);
-  for (const render::LineItemPtr& item : {failed_, hovered_, loop_, polygons_, slopes_, ring_, ink_}) add(item);
-  for (const render::MarkItemPtr& item : {nodes_, handles_, tips_, points_, findings_, snap_}) {
-    if (item) scene.marks.emplace_back(item);
-  }
+  add_items(scene, {selected_, jumps_});
+  for (const render::LineItemPtr& item : curves_) scene.lines.emplace_back(item);
+  add_items(scene, {failed_, hovered_, loop_, polygons_, slopes_, ring_, ink_},
+            {nodes_, handles_, tips_, points_, findings_, snap_});
 }
 
 }  // namespace croquis::app

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/studio/studio.h"
+#include "app/tools/scene_parts.h"
 #include "croquis/attribute_surface/network_elements.h"
 #include "croquis/geometry/affine3.h"
 #include "croquis/operators/surface_result.h"
@@ -23,13 +24,7 @@ namespace croquis::app {
 /// Along a curve.
 render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world);
 
-render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed = false);
-
 render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color);
-
-/// Null where there is nothing to draw: items of nothing cost draw calls.
-render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style);
-render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks);
 
 /// Squares on the plane z = 0 of the network's own space, around what is drawn: what strokes lie on that begin on
 /// nothing.
@@ -76,13 +71,6 @@ struct PlacedText {
   QColor color;
 };
 
-/// A finding and where it stands in the world.
-struct NetworkMark {
-  Vec3 at = Vec3::Zero();
-  QString sentence;
-  bool error = false;
-};
-
 /// What the views show of a network of curves over its surfaces. Items are kept until what they show changes.
 class NetworkScene {
  public:
@@ -98,7 +86,7 @@ class NetworkScene {
 
   /// Of the network in the world.
   const render::Bounds& bounds() const { return bounds_; }
-  const std::vector<NetworkMark>& marks() const { return marks_; }
+  const std::vector<FindingMark>& marks() const { return marks_; }
   const std::vector<PlacedText>& numbers() const { return numbers_; }  ///< degrees along smooth curves
 
  private:
@@ -107,7 +95,7 @@ class NetworkScene {
   render::LineItemPtr ink_, loop_, hovered_;
   render::MarkItemPtr nodes_, points_, handles_, tips_, findings_, snap_;
   render::Bounds bounds_;
-  std::vector<NetworkMark> marks_;
+  std::vector<FindingMark> marks_;
   std::vector<PlacedText> numbers_;
 };
 

@@ -136,34 +136,30 @@ std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::
   return state;
 }
 
-SurfaceChips::SurfaceChips(NetworkInteraction& network, const UniformGhost& ghost, Viewport& views)
-    : QObject(&views),
-      network_(network),
+SurfaceChips::SurfaceChips(DrawnNetwork& network, const UniformGhost& ghost)
+    : network_(network),
       ghost_(ghost),
-      views_(views),
-      chips_(views),
+      chips_(network.host.viewport()),
       hint_(chips_.label("network-hint", network_hint_style)),
-      sentence_(chips_.button("network-state", "",
-                              [this] {
-                                if (!state_.elements.empty()) emit elements_wanted(state_.elements);
-                              })),
-      patch_(chips_.button("patch-chip", offer_style, [this] { emit patch_wanted(); })),
+      sentence_(chips_.button("network-state", "", [this] { look_at(network_, state_.elements); })),
+      patch_(chips_.button("patch-chip", offer_style, [this] { network_.host.action("fill-loop")->trigger(); })),
       gap_(chips_.label("gap-chip", lacking_style)) {
-  hint_->setText(tr("Draw a curve: it lies on the ground, on what is under the pen, or between the curves it meets"));
-  patch_->setText(tr("Patch (Enter)"));
-  patch_->setToolTip(tr("The closed loop of curves becomes the border of one smooth patch"));
+  hint_->setText(
+      QObject::tr("Draw a curve: it lies on the ground, on what is under the pen, or between the curves it meets"));
+  patch_->setText(QObject::tr("Patch (Enter)"));
+  patch_->setToolTip(QObject::tr("The closed loop of curves becomes the border of one smooth patch"));
 }
 
 void SurfaceChips::follow() {
-  state_ = network_state(network_.network(), network_.shown(), network_.findings());
+  state_ = network_state(network_.network(), network_.shown, network_.findings());
   const AttributeNetwork& network = network_.network();
-  const NetworkElements selected = network_.tool().selected();
-  offered_.clear();
+  const NetworkElements selected = network_.tool.selected();
+  network_.offered.clear();
   if (selected.empty()) {
     for (const AttributeSide& side : open_loop(network, {tolerance_of(network)}).sides)
-      offered_.push_back(network.curves[side.curve].id);
+      network_.offered.push_back(network.curves[side.curve].id);
   }
-  loop_ = loop_state(network, selected.empty() ? offered_ : selected.curves);
+  loop_ = loop_state(network, selected.empty() ? network_.offered : selected.curves);
 }
 
 void SurfaceChips::place(ChipPlaces& places, bool shown) {
@@ -173,7 +169,7 @@ void SurfaceChips::place(ChipPlaces& places, bool shown) {
   if (shown && pane.visible()) {
     place_hint(pane.rect);
     place_state(pane.rect);
-    if (!network_.down()) place_loop(pane);
+    if (!network_.owner.down()) place_loop(pane);
     place_numbers(pane);
   }
   chips_.end();
@@ -182,13 +178,13 @@ void SurfaceChips::place(ChipPlaces& places, bool shown) {
 /// Beside a place of the model, where it is seen.
 void SurfaceChips::put_at(const ViewPane& pane, QWidget& chip, const Vec3& world) {
   constexpr QPointF beside(12, -10);
-  const auto seen = views_.frame_of(view_).project(world);
+  const auto seen = network_.host.viewport().frame_of(view_).project(world);
   const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
   if (seen && pane.rect.contains(at)) chips_.put(chip, at + beside, pane.rect);
 }
 
 void SurfaceChips::place_hint(const QRectF& rect) {
-  if (network_.network().curves.empty() && !network_.down())
+  if (network_.network().curves.empty() && !network_.owner.down())
     chips_.put_in_middle(*hint_, rect.bottom() - network_hint_height, rect);
 }
 
@@ -198,7 +194,8 @@ void SurfaceChips::place_state(const QRectF& rect) {
   if (sentence_->styleSheet() != style) sentence_->setStyleSheet(style);
   const int room = static_cast<int>(rect.width() - 8 * state_margin);
   sentence_->setText(sentence_->fontMetrics().elidedText(state_.sentence, Qt::ElideRight, room));
-  sentence_->setToolTip(state_.elements.empty() ? QString() : state_.sentence + "\n" + tr("Click to see where"));
+  sentence_->setToolTip(state_.elements.empty() ? QString()
+                                                : state_.sentence + "\n" + QObject::tr("Click to see where"));
   chips_.put_in_middle(*sentence_, rect.top() + state_margin, rect);
 }
 
@@ -217,38 +214,32 @@ void SurfaceChips::place_loop(const ViewPane& pane) {
 
 std::vector<PlacedText> SurfaceChips::numbers() const {
   std::vector<PlacedText> numbers;
-  const SurfacePreview& preview = network_.tool().preview();
-  const std::vector<Vec3> ring = network_.tool().ring();
+  const SurfacePreview& preview = network_.tool.preview();
+  const std::vector<Vec3> ring = network_.tool.ring();
   if (preview.radius && !ring.empty())
-    numbers.push_back(
-        {network_.to_world()(ring.front()), tr("radius %1").arg(number_words(*preview.radius)), QColor("#f28c28")});
+    numbers.push_back({network_.to_world()(ring.front()), QObject::tr("radius %1").arg(number_words(*preview.radius)),
+                       QColor("#f28c28")});
   if (const UniformGhost::Compared* compared = ghost_.compared()) {
     for (const ComparedPoint& point : compared->comparison.points) {
       const Index index = find_element(network_.network(), NetworkElement::Point, point.id);
       if (index == no_index || !point.own || !point.uniform) continue;
-      numbers.push_back(
-          {network_.to_world()(network_.network().points[index].point),
-           tr("off by %1, uniform %2").arg(offset_number(point.own->offset), offset_number(point.uniform->offset)),
-           QColor("#f28c28")});
+      numbers.push_back({network_.to_world()(network_.network().points[index].point),
+                         QObject::tr("off by %1, uniform %2")
+                             .arg(offset_number(point.own->offset), offset_number(point.uniform->offset)),
+                         QColor("#f28c28")});
     }
   }
-  const std::vector<PlacedText>& jumps = network_.scene().numbers();
+  const std::vector<PlacedText>& jumps = network_.scene.numbers();
   numbers.insert(numbers.end(), jumps.begin(), jumps.end());
   if (numbers.size() > most_numbers) numbers.resize(most_numbers);
   return numbers;
 }
 
-QLabel& SurfaceChips::label(std::size_t number) {
-  while (labels_.size() <= number) {
-    labels_.push_back(chips_.label("network-number", ""));
-  }
-  return *labels_[number];
-}
-
 void SurfaceChips::place_numbers(const ViewPane& pane) {
   std::size_t used = 0;
   for (const PlacedText& number : numbers()) {
-    QLabel& chip = label(used++);
+    if (used == labels_.size()) labels_.push_back(chips_.label("network-number", ""));
+    QLabel& chip = *labels_[used++];
     const QString style = QString(number_style).arg(number.color.name());
     if (chip.styleSheet() != style) chip.setStyleSheet(style);
     chip.setText(number.text);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
 #include <QString>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/tools/surface/domain_panel.h"
-#include "app/tools/surface/network_interaction.h"
+#include "app/tools/surface/network.h"
 #include "app/tools/surface/network_scene.h"
 #include "app/views/view_chips.h"
 #include "croquis/attribute_surface/loop_search.h"
@@ -40,31 +39,18 @@ std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::
 /// The elements of a network that a finding is about.
 NetworkElements elements_in(const Finding& finding, const AttributeNetwork& network);
 
-class Viewport;
-
 /// What stands over the views of a network: how far it is, what a loop lacks, angles along smooth curves, how far off
 /// the dents of points are.
-class SurfaceChips : public QObject {
-  Q_OBJECT
-
+class SurfaceChips {
  public:
-  /// @param views that they stand on
-  SurfaceChips(NetworkInteraction& network, const UniformGhost& ghost, Viewport& views);
+  SurfaceChips(DrawnNetwork& network, const UniformGhost& ghost);
 
   /// After the document, a result or the selection has changed.
   void follow();
 
   void place(ChipPlaces& places, bool shown);
 
-  /// The curves of a closed loop without a patch, while nothing is selected; empty where there is none.
-  const std::vector<std::string>& offered() const { return offered_; }
-
- signals:
-  void patch_wanted();
-  void elements_wanted(const croquis::NetworkElements& elements);  ///< selected, and looked at
-
  private:
-  QLabel& label(std::size_t number);
   void put_at(const ViewPane& pane, QWidget& chip, const Vec3& world);
   void place_hint(const QRectF& rect);
   void place_state(const QRectF& rect);
@@ -72,13 +58,11 @@ class SurfaceChips : public QObject {
   void place_numbers(const ViewPane& pane);
   std::vector<PlacedText> numbers() const;
 
-  NetworkInteraction& network_;
+  DrawnNetwork& network_;
   const UniformGhost& ghost_;
-  Viewport& views_;
   int view_ = 0;  ///< that they stand on
   NetworkState state_;
   std::optional<LoopState> loop_;
-  std::vector<std::string> offered_;
   ChipSet chips_;
   QLabel* hint_;
   QToolButton* sentence_;

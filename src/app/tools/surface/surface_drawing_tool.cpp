@@ -3,18 +3,17 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMenu>
 #include <QMetaObject>
 #include <QScrollArea>
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
 #include "app/replay/replays.h"
-#include "app/tools/surface/network_scene.h"
-#include "app/tools/surface/surface_panel.h"
-#include "app/views/render_color.h"
+#include "app/views/own_space.h"
 #include "app/views/viewport.h"
+#include "app/window/action_list.h"
 #include "app/window/panel_docks.h"
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/surface/surface_tool.h"
@@ -34,6 +33,7 @@ std::shared_ptr<const AttributeNetwork> network_in(const Evaluation& evaluation)
   return nullptr;
 }
 
+constexpr int surface_panel_width = 330;
 constexpr double ghost_opacity = 0.4;
 constexpr double around_elements = 0.35;  // of the network's size, at least, where elements are looked at
 
@@ -47,14 +47,100 @@ std::optional<SurfaceMode> surface_mode(const QString& mode) {
   return found == modes.end() ? std::nullopt : std::optional(found->second);
 }
 
-const ShownSurface& required_surface(const NetworkInteraction& network) {
-  if (!network.shown()) refuse_replay("The surfaces aren't computed yet");
-  return network.shown();
+const ShownSurface& required_surface(const DrawnNetwork& network) {
+  if (!network.shown) refuse_replay("The surfaces aren't computed yet");
+  return network.shown;
 }
 
 const DomainComparison& required_comparison(const UniformGhost& ghost) {
   if (ghost.compared() == nullptr) refuse_replay("The uniform domain isn't shown");
   return ghost.compared()->comparison;
+}
+
+QString no_patch_help() {
+  return SurfaceDrawingTool::tr(
+      "There is no patch yet: draw curves that close a loop, then Enter, or P and a click inside it, makes one");
+}
+
+QString help_of(const DrawnNetwork& network, const QString& mode) {
+  const auto tr = [](const char* text) { return SurfaceDrawingTool::tr(text); };
+  const bool needs_patch = mode == "inner-curve" || mode == "surface-point";
+  if (needs_patch && network.network().faces.empty()) return no_patch_help();
+  if (mode == "inner-curve") return tr("Draw on a patch: the surface goes through the curve · Q selects and drags");
+  switch (network.tool.mode()) {
+    case SurfaceMode::Patch:
+      return tr("Click inside a loop of curves: it becomes a smooth patch · T puts points on it");
+    case SurfaceMode::Point:
+      return tr("Click on a patch and drag: the point pulls it along its normal, with Ctrl across the view");
+    case SurfaceMode::Select: break;
+    case SurfaceMode::Draw:
+      if (!network.offered.empty())
+        return tr("Enter makes a patch of the closed loop · go on drawing curves · Q selects");
+      return tr("Draw curves from node to node · P fills loops · I draws on a patch · Q selects · Alt+drag rotates");
+  }
+  const NetworkElements selected = network.tool.selected();
+  if (selected.curves.size() > 1) return tr("Enter makes a patch of the selected curves · S smooth or crease · Delete");
+  if (!selected.curves.empty())
+    return tr("Drag squares to bend it, blue handles to turn the slope · S smooth or crease · Delete removes");
+  if (!selected.points.empty())
+    return tr("Drag the point, or its ring for the radius · U compares with a uniform domain");
+  return tr("Click or drag a box: curves, nodes, points, patches · Shift adds · D draws · P fills a loop · T points");
+}
+
+void choose_all(DrawnNetwork& network) {
+  NetworkElements all;
+  for (const NetworkElement kind : {NetworkElement::Node, NetworkElement::Curve, NetworkElement::Point})
+    all.of(kind) = element_ids(network.network(), kind);
+  network.host.set_mode(select_mode);
+  network.act(recorded::SurfaceChoice{all});
+}
+
+/// "12 curves, 3 patches, 1 point".
+QString size_of(const AttributeNetwork& network) {
+  const auto tr = [](const char* text) { return SurfaceDrawingTool::tr(text); };
+  const auto counted = [](std::size_t count, const QString& one, const QString& many) {
+    return count == 1 ? one : many.arg(count);
+  };
+  return QStringList{counted(network.curves.size(), tr("1 curve"), tr("%1 curves")),
+                     counted(network.faces.size(), tr("1 patch"), tr("%1 patches")),
+                     counted(network.points.size(), tr("1 point"), tr("%1 points"))}
+      .join(", ");
+}
+
+/// What replays can ask of networks.
+void add_counts(Replays& replays, const DrawnNetwork& drawn, const UniformGhost& ghost) {
+  const auto count = [&drawn](auto member) {
+    return [&drawn, member](const std::string&) -> std::size_t { return (drawn.network().*member).size(); };
+  };
+  replays.counts["surface-nodes"] = count(&AttributeNetwork::nodes);
+  replays.counts["surface-curves"] = count(&AttributeNetwork::curves);
+  replays.counts["surface-faces"] = count(&AttributeNetwork::faces);
+  replays.counts["surface-points"] = count(&AttributeNetwork::points);
+  replays.counts["surface-selected"] = [&drawn](const std::string&) {
+    const NetworkElements selected = drawn.tool.selected();
+    return selected.nodes.size() + selected.curves.size() + selected.faces.size() + selected.points.size();
+  };
+  replays.counts["surface-patches-made"] = [&drawn](const std::string&) -> std::size_t {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        required_surface(drawn).surface().faces, [](const SurfaceFace& face) { return face.surface != nullptr; }));
+  };
+  replays.counts["surface-nearer-dents"] = [&ghost](const std::string&) -> std::size_t {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(required_comparison(ghost).points, [](const ComparedPoint& point) {
+          return point.own && point.uniform && point.own->offset < point.uniform->offset;
+        }));
+  };
+  replays.ranges["surface-boundary-error"] = [&drawn](const std::string&) {
+    return std::pair(0.0, required_surface(drawn).found->measures.boundary_error);
+  };
+  replays.ranges["surface-point-errors"] = [&drawn](const std::string&) {
+    double greatest = 0;
+    for (const auto& error : required_surface(drawn).found->measures.point_errors) {
+      if (!error) refuse_replay("A point isn't met by its patch");
+      greatest = std::max(greatest, *error);
+    }
+    return std::pair(0.0, greatest);
+  };
 }
 
 }  // namespace
@@ -123,26 +209,33 @@ void CurveTaking::follow() {
   emit taken();
 }
 
+render::Bounds bounds_of_selected(const DrawnNetwork& drawn) {
+  const AttributeNetwork& network = drawn.network();
+  const NetworkElements selected = drawn.tool.selected();
+  render::Bounds bounds;
+  const auto add = [&](const Vec3& place) { bounds.add(to_glm(drawn.to_world()(place))); };
+  const auto add_curve = [&](Index curve) { std::ranges::for_each(traced_curve(network, curve), add); };
+  for (const std::string& id : selected.curves) add_curve(require_element(network, NetworkElement::Curve, id));
+  for (const std::string& id : selected.faces) {
+    for (const AttributeSide& side : network.faces[require_element(network, NetworkElement::Face, id)].loop)
+      add_curve(side.curve);
+  }
+  for (const std::string& id : selected.nodes)
+    add(network.nodes[require_element(network, NetworkElement::Node, id)].point);
+  for (const std::string& id : selected.points)
+    add(network.points[require_element(network, NetworkElement::Point, id)].point);
+  return bounds;
+}
+
 SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
-    : Tool(host, "Surfaces from curves"),
-      network_(host.studio(), host.viewport()),
-      taking_(host.studio()),
-      chips_(network_, ghost_, host.viewport()) {
-  connect(&network_, &NetworkInteraction::changed, this, [this] {
-    if (domain_panel_ != nullptr && is_there()) domain_panel_->follow();
-    emit Tool::changed();
-  });
-  connect(&network_, &NetworkInteraction::committed, this, &Tool::committed);
-  connect(&network_, &NetworkInteraction::told, this, &Tool::told);
-  connect(&network_, &NetworkInteraction::state_changed, this, [this] {
-    refresh();
-    emit state_changed();
+    : Tool(host, "Surfaces from curves"), network_(*this, host), taking_(host.studio()), chips_(network_, ghost_) {
+  connect(this, &Tool::changed, this, [this] {
+    if (domain_panel_ != nullptr && network_.is_there()) domain_panel_->follow();
   });
   connect(&ghost_, &UniformGhost::changed, this, [this] {
     follow_panels();
-    emit Tool::changed();
+    emit changed();
   });
-  connect(&chips_, &SurfaceChips::patch_wanted, this, [this] { this->host().action("fill-loop")->trigger(); });
   connect(&taking_, &CurveTaking::failed, this,
           [this](const Findings& findings) { this->host().show_message(findings); });
   connect(&taking_, &CurveTaking::taken, this, [this] {
@@ -150,12 +243,20 @@ SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
     this->host().set_mode(select_mode);
     this->host().refresh();
   });
-  connect(&chips_, &SurfaceChips::elements_wanted, this, &SurfaceDrawingTool::look_at);
+}
+
+void SurfaceDrawingTool::make_actions(ActionList& actions) {
+  QMenu* file = actions.menu(tr("&File"));
+  QAction* fresh = actions.add(file, "new-surface", tr("New s&urface"), {}, [this] {
+    if (host().start_with(studio().with_network(Document(), {}, studio().network_options()))) show_in_space();
+  });
+  file->insertAction(actions.find("open"), fresh);
+  add_surface_actions(network_, ghost_, taking_, actions);
+  add_surface_keys(host(), keys);
 }
 
 void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
-  const auto action = [this](const QString& name) { return host().action(name); };
-  panel_ = make_surface_panel(network_, action);
+  panel_ = make_surface_panel(network_);
   domain_panel_ = new DomainPanel(network_, ghost_, host().action("compare-uniform"));
   docks_ = &docks;
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
@@ -166,75 +267,99 @@ void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   docks.set_useful(domain_dock_, false);
 }
 
-// ---- The hand
+void SurfaceDrawingTool::refresh() {
+  chips_.follow();
+  refresh_surface_actions(network_, ghost_, taking_);
+  if (docks_ == nullptr) return;
+  docks_->set_useful(dock_, network_.is_there());
+  docks_->set_useful(domain_dock_, network_.is_there());
+  if (network_.is_there()) docks_->give_room_once(dock_, surface_panel_width);
+  follow_panels();
+}
 
 void SurfaceDrawingTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
-  const auto own = surface_mode(mode);
-  network_.set_mode(own.value_or(SurfaceMode::Select));
+  network_.tool.set_mode(surface_mode(mode).value_or(SurfaceMode::Select));
+  studio().hold_results(false);
+  network_.show_preview();
 }
 
-bool SurfaceDrawingTool::works_in(int) const { return is_there() && surface_mode(mode()).has_value(); }
+// ---- How it stands
+
+/// Patches are framed by themselves.
+ViewUse SurfaceDrawingTool::use_of(int) const {
+  ViewUse use{.works = network_.is_there() && surface_mode(mode_).has_value(),
+              .menu = {"fill-loop", "toggle-join", "surface-point", "split-element", "merge-patches", "symmetric-edit",
+                       "draw", "select"},
+              .cursor = mode_ == select_mode ? Qt::ArrowCursor : Qt::CrossCursor,
+              .every_move = network_.tool.mode() == SurfaceMode::Draw};
+  if (network_.is_there() && network_.network().faces.empty()) use.bounds = network_.scene.bounds();
+  return use;
+}
+
+ToolWords SurfaceDrawingTool::words() const {
+  return {.help = help_of(network_, mode_),
+          .tooltip = under_pointer_,
+          .status = network_.is_there() ? size_of(network_.network()) : QString()};
+}
+
+ToolState SurfaceDrawingTool::state() const {
+  return {.has_selection = network_.is_there() && !network_.tool.selected().empty(),
+          .busy = ghost_.busy() || taking_.busy()};
+}
+
+// ---- The pointer
 
 /// What draws on patches or pulls them does nothing beside them, and says so.
 void SurfaceDrawingTool::take(const PointerEvent& event) {
-  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !network_.down();
-  const bool needs_patch =
-      mode() == "inner-curve" ||
-      (mode() == "surface-point" && !network_.tool().preview().hovered && network_.tool().selected().points.empty());
-  const bool on_patch = network_.sight() != nullptr &&
-                        network_.sight()->patch_under(network_.frame_of(event.view).ray(event.position)).has_value();
-  if (needs_patch && begins && !on_patch) {
-    emit told(network_.network().faces.empty() ? no_patch_help()
-              : mode() == "inner-curve"        ? tr("Begin on a patch: the curve lies on it and pulls it")
-                                               : tr("Press on a patch: the drag pulls it"));
+  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !pen_.down();
+  const bool needs_patch = mode_ == "inner-curve" || (mode_ == "surface-point" && !network_.tool.preview().hovered &&
+                                                      network_.tool.selected().points.empty());
+  const bool on_patch = network_.sight != nullptr &&
+                        network_.sight->patch_under(network_.frame_of(event.view).ray(event.position)).has_value();
+  if (!needs_patch || !begins || on_patch) return Tool::take(event);
+  host().say(network_.network().faces.empty() ? no_patch_help()
+             : mode_ == "inner-curve"         ? tr("Begin on a patch: the curve lies on it and pulls it")
+                                              : tr("Press on a patch: the drag pulls it"));
+}
+
+void SurfaceDrawingTool::feed(const std::vector<PenStep>& steps) {
+  SurfaceTool& tool = network_.tool;
+  const bool was_active = tool.active();
+  for (const PenStep& step : steps) {
+    gesture_view_ = step.view;
+    const PenSample& at = step.sample;
+    try {
+      const Verdict verdict =
+          tool.handle({step.kind, at.position, step.modifiers, network_.frame_of(step.view), at.time});
+      if (step.kind == PenStep::Kind::End || step.kind == PenStep::Kind::Cancel) network_.finish(verdict);
+    } catch (const Error& error) {
+      host().say(sentences_of(error.findings()));
+    }
+  }
+  // Nothing else changes under a pen that draws: what is computed meanwhile is shown when the stroke has ended.
+  studio().hold_results(tool.active() && tool.mode() == SurfaceMode::Draw);
+  network_.show_preview();
+  if (was_active == tool.active()) return;
+  refresh();
+  emit state_changed();
+}
+
+void SurfaceDrawingTool::hover(const PointerEvent& event) {
+  if (event.action == PointerEvent::Action::Leave) {
+    under_pointer_.clear();
+    if (network_.tool.leave()) network_.show_preview();
     return;
   }
-  network_.take(event);
+  gesture_view_ = event.view;
+  under_pointer_ = sentences_at(network_.scene.marks(), host().viewport().frame_of(event.view), event.position);
+  if (network_.tool.hover(event.position, network_.frame_of(event.view))) network_.show_preview();
 }
-
-ViewUse SurfaceDrawingTool::use_of(int) const {
-  return {mode() == select_mode ? Qt::ArrowCursor : Qt::CrossCursor, network_.tool().mode() == SurfaceMode::Draw};
-}
-
-QString SurfaceDrawingTool::no_patch_help() {
-  return tr("There is no patch yet: draw curves that close a loop, then Enter, or P and a click inside it, makes one");
-}
-
-QString SurfaceDrawingTool::help() const {
-  const bool needs_patch = mode() == "inner-curve" || mode() == "surface-point";
-  if (needs_patch && network_.network().faces.empty()) return no_patch_help();
-  if (mode() == "inner-curve") return tr("Draw on a patch: the surface goes through the curve · Q selects and drags");
-  switch (network_.tool().mode()) {
-    case SurfaceMode::Patch:
-      return tr("Click inside a loop of curves: it becomes a smooth patch · T puts points on it");
-    case SurfaceMode::Point:
-      return tr("Click on a patch and drag: the point pulls it along its normal, with Ctrl across the view");
-    case SurfaceMode::Select: break;
-    case SurfaceMode::Draw:
-      if (!chips_.offered().empty())
-        return tr("Enter makes a patch of the closed loop · go on drawing curves · Q selects");
-      return tr("Draw curves from node to node · P fills loops · I draws on a patch · Q selects · Alt+drag rotates");
-  }
-  const NetworkElements selected = network_.tool().selected();
-  if (selected.curves.size() > 1) return tr("Enter makes a patch of the selected curves · S smooth or crease · Delete");
-  if (!selected.curves.empty())
-    return tr("Drag squares to bend it, blue handles to turn the slope · S smooth or crease · Delete removes");
-  if (!selected.points.empty())
-    return tr("Drag the point, or its ring for the radius · U compares with a uniform domain");
-  return tr("Click or drag a box: curves, nodes, points, patches · Shift adds · D draws · P fills a loop · T points");
-}
-
-// ---- Keys
 
 bool SurfaceDrawingTool::command(EditCommand command) {
-  const bool works = works_in(PerspectiveView);
+  const bool works = use_of(PerspectiveView).works;
   if (command == EditCommand::SelectAll && works) {
-    NetworkElements all;
-    for (const NetworkElement kind : {NetworkElement::Node, NetworkElement::Curve, NetworkElement::Point})
-      all.of(kind) = element_ids(network_.network(), kind);
-    host().set_mode(select_mode);
-    network_.act(recorded::SurfaceChoice{all});
+    choose_all(network_);
     return true;
   }
   if (command == EditCommand::Accept && works && host().action("fill-loop")->isEnabled()) {
@@ -242,100 +367,76 @@ bool SurfaceDrawingTool::command(EditCommand command) {
     return true;
   }
   const bool deletes = command == EditCommand::Delete;
-  if (!has_selection() || !(deletes || command == EditCommand::SelectNone)) return false;
+  if (!state().has_selection || !(deletes || command == EditCommand::SelectNone)) return false;
   if (deletes)
-    network_.act(recorded::SurfaceDelete{network_.tool().selected()});
+    network_.act(recorded::SurfaceDelete{network_.tool.selected()});
   else
     network_.act(recorded::SurfaceChoice{});
   return true;
 }
 
-bool SurfaceDrawingTool::has_selection() const { return is_there() && !network_.tool().selected().empty(); }
-
-bool SurfaceDrawingTool::open_step(const Node& step) {
-  const OperationDescription* operation = studio().description(step.operation);
-  const PortDescription* input = operation == nullptr ? nullptr : main_input(*operation);
-  const bool is_network = source_of<AttributeNetwork>(&step) != nullptr;
-  const bool goes_on = input != nullptr && input->type == ValueType::AttributeNetwork && is_there();
-  if (!is_network && !goes_on) return false;
-  if (!surface_mode(mode())) host().set_mode(select_mode);
+bool SurfaceDrawingTool::show(const Target& target) {
+  if (const auto* step = std::get_if<const Node*>(&target)) {
+    const bool is_network = source_of<AttributeNetwork>(*step) != nullptr;
+    const bool goes_on = network_.is_there() && works_on(studio(), **step, ValueType::AttributeNetwork);
+    if (!is_network && !goes_on) return false;
+    if (!surface_mode(mode_)) host().set_mode(select_mode);
+    return true;
+  }
+  const auto* found = std::get_if<NodeFinding>(&target);
+  if (found == nullptr || !network_.is_there() || found->node != network_.tool.operation_node()) return false;
+  look_at(network_, elements_in(found->finding, network_.network()));
   return true;
 }
 
-// ---- The eye
+// ---- The views
 
 void SurfaceDrawingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
-  if (is_there()) wanted.outlines = false;
+  if (network_.is_there()) wanted.outlines = false;
 }
 
 void SurfaceDrawingTool::add_to(render::Scene& scene, int view) {
-  if (!is_there()) return;
+  if (!network_.is_there()) return;
   if (const UniformGhost::Compared* compared = ghost_.compared(); compared != nullptr && compared->item)
     scene.meshes.emplace_back(compared->item, render::Emphasis{}, render::MeshStyle::translucent(ghost_opacity));
-  const bool on_ground = mode() == "draw" && network_.tool().settings().plane == SurfacePlane::Ground;
+  const bool on_ground = mode_ == "draw" && network_.tool.settings().plane == SurfacePlane::Ground;
   if (on_ground && view == PerspectiveView)
-    scene.lines.emplace_back(ground_lines(network_.scene().bounds(), network_.to_world()));
-  network_.add_to(scene, view);
-}
-
-/// Patches are framed by themselves.
-render::Bounds SurfaceDrawingTool::bounds_in(int) const {
-  const bool alone = is_there() && network_.network().faces.empty();
-  return alone ? network_.scene().bounds() : render::Bounds();
+    scene.lines.emplace_back(ground_lines(network_.scene.bounds(), network_.to_world()));
+  network_.scene.add_to(scene);
+  const auto& box = network_.tool.preview().box;
+  if (box && view == gesture_view_) add_box(*box, host().viewport().frame_of(view), scene);
 }
 
 std::optional<SelectionFrame> SurfaceDrawingTool::selection_frame(int) const {
-  if (!is_there()) return std::nullopt;
-  const AttributeNetwork& network = network_.network();
-  const Affine3 to_world = network_.to_world();
-  const NetworkElements selected = network_.tool().selected();
-  SelectionFrame frame;
-  const auto add_curve = [&](Index curve) {
-    for (const Vec3& place : traced_curve(network, curve)) frame.bounds.add(to_glm(to_world(place)));
-  };
-  for (const std::string& id : selected.curves) add_curve(require_element(network, NetworkElement::Curve, id));
-  for (const std::string& id : selected.faces) {
-    const AttributeFace& face = network.faces[require_element(network, NetworkElement::Face, id)];
-    for (const AttributeSide& side : face.loop) add_curve(side.curve);
-  }
-  for (const std::string& id : selected.nodes)
-    frame.bounds.add(to_glm(to_world(network.nodes[require_element(network, NetworkElement::Node, id)].point)));
-  for (const std::string& id : selected.points)
-    frame.bounds.add(to_glm(to_world(network.points[require_element(network, NetworkElement::Point, id)].point)));
-  if (frame.bounds.empty()) return std::nullopt;
-  const glm::dvec3 middle = frame.bounds.center();
-  const auto& all = network_.scene().bounds();
-  const glm::dvec3 around = around_elements / 2 * (all.max - all.min);
-  frame.bounds.add(middle - around);
-  frame.bounds.add(middle + around);
-  return frame;
+  if (!network_.is_there()) return std::nullopt;
+  const render::Bounds& all = network_.scene.bounds();
+  return frame_around(bounds_of_selected(network_), around_elements * (all.max - all.min));
 }
 
-void SurfaceDrawingTool::place_chips(ChipPlaces& places) { chips_.place(places, is_there()); }
+void SurfaceDrawingTool::place_chips(ChipPlaces& places) { chips_.place(places, network_.is_there()); }
 
 // ---- The flow
 
 void SurfaceDrawingTool::follow(Change change) {
-  if (change == Change::Opened) return show_opened();
   if (change == Change::Scenes) return;
+  if (change == Change::Opened) {
+    // A network that is opened is looked at in space, and selected from.
+    const NodeId now = studio().network_node();
+    if (std::exchange(opened_, now) == now || now == 0) return;
+    show_in_space();
+    if (!network_.network().faces.empty()) host().set_mode(select_mode);
+    return;
+  }
   change == Change::Document ? network_.follow_document() : network_.follow_result();
-  ghost_.follow(is_there() ? network_.shown() : ShownSurface());
+  ghost_.follow(network_.is_there() ? network_.shown : ShownSurface());
   chips_.follow();
   follow_panels();
 }
 
 void SurfaceDrawingTool::follow_panels() {
-  if (panel_ == nullptr || !is_there()) return;
+  if (panel_ == nullptr || !network_.is_there()) return;
   panel_->follow();
   domain_panel_->follow();
-}
-
-/// A network that is opened is looked at in space, and selected from.
-void SurfaceDrawingTool::show_opened() {
-  const NodeId now = studio().network_node();
-  if (std::exchange(opened_, now) == now || now == 0) return;
-  show_in_space();
-  if (!network_.network().faces.empty()) host().set_mode(select_mode);
 }
 
 void SurfaceDrawingTool::show_in_space() {
@@ -346,79 +447,17 @@ void SurfaceDrawingTool::show_in_space() {
   host().viewport().frame_all();
 }
 
-bool SurfaceDrawingTool::show_finding(const NodeFinding& found) {
-  if (!is_there() || found.node != network_.tool().operation_node()) return false;
-  look_at(elements_in(found.finding, network_.network()));
-  return true;
-}
-
-void SurfaceDrawingTool::look_at(const NetworkElements& elements) {
-  if (elements.empty()) return;
-  if (mode() != select_mode) host().set_mode(select_mode);
-  network_.act(recorded::SurfaceChoice{elements});
-  host().viewport().frame_selection();
-}
-
-QString SurfaceDrawingTool::status() const {
-  if (!is_there()) return {};
-  const AttributeNetwork& network = network_.network();
-  const auto counted = [](std::size_t count, const QString& one, const QString& many) {
-    return count == 1 ? one : many.arg(count);
-  };
-  return QStringList{counted(network.curves.size(), tr("1 curve"), tr("%1 curves")),
-                     counted(network.faces.size(), tr("1 patch"), tr("%1 patches")),
-                     counted(network.points.size(), tr("1 point"), tr("%1 points"))}
-      .join(", ");
-}
-
-// Recorded steps of the surface tool, and what replays can expect of it.
-
 void SurfaceDrawingTool::make_replays(Replays& replays) {
   for (const recorded::StepKind* kind : recorded::surface_steps().kinds()) {
     replays.plays[kind].push_back([this](const recorded::Step& step) {
-      if (!is_there()) host().action("new-surface")->trigger();
+      if (!network_.is_there()) host().action("new-surface")->trigger();
       network_.follow_document();
-      network_.tool().take(step);
+      network_.tool.take(step);
       network_.follow_document();
       return true;
     });
   }
-  add_counts(replays);
-}
-
-void SurfaceDrawingTool::add_counts(Replays& replays) {
-  const auto count = [this](auto member) {
-    return [this, member](const std::string&) -> std::size_t { return (network_.network().*member).size(); };
-  };
-  replays.counts["surface-nodes"] = count(&AttributeNetwork::nodes);
-  replays.counts["surface-curves"] = count(&AttributeNetwork::curves);
-  replays.counts["surface-faces"] = count(&AttributeNetwork::faces);
-  replays.counts["surface-points"] = count(&AttributeNetwork::points);
-  replays.counts["surface-selected"] = [this](const std::string&) {
-    const NetworkElements selected = network_.tool().selected();
-    return selected.nodes.size() + selected.curves.size() + selected.faces.size() + selected.points.size();
-  };
-  replays.counts["surface-patches-made"] = [this](const std::string&) -> std::size_t {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        required_surface(network_).surface().faces, [](const SurfaceFace& face) { return face.surface != nullptr; }));
-  };
-  replays.counts["surface-nearer-dents"] = [this](const std::string&) -> std::size_t {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(required_comparison(ghost_).points, [](const ComparedPoint& point) {
-          return point.own && point.uniform && point.own->offset < point.uniform->offset;
-        }));
-  };
-  replays.ranges["surface-boundary-error"] = [this](const std::string&) {
-    return std::pair(0.0, required_surface(network_).found->measures.boundary_error);
-  };
-  replays.ranges["surface-point-errors"] = [this](const std::string&) {
-    double greatest = 0;
-    for (const auto& error : required_surface(network_).found->measures.point_errors) {
-      if (!error) refuse_replay("A point isn't met by its patch");
-      greatest = std::max(greatest, *error);
-    }
-    return std::pair(0.0, greatest);
-  };
+  add_counts(replays, network_, ghost_);
 }
 
 }  // namespace croquis::app

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "app/panels/panel.h"
-#include "app/studio/studio.h"
 #include "app/tools/surface/domain_panel.h"
-#include "app/tools/surface/network_interaction.h"
+#include "app/tools/surface/network.h"
 #include "app/tools/surface/surface_chips.h"
 #include "app/tools/tool.h"
 
@@ -49,6 +48,18 @@ class CurveTaking : public QObject {
   std::unique_ptr<LiveNode> live_;
 };
 
+/// The box of what is selected.
+render::Bounds bounds_of_selected(const DrawnNetwork& network);
+
+/// The actions of menus, keys and buttons, and which of them are enabled and checked now.
+void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions);
+void add_surface_keys(const ToolHost& host, ToolKeys& keys);
+void refresh_surface_actions(const DrawnNetwork& network, const UniformGhost& ghost, const CurveTaking& taking);
+
+/// What is selected of a network, in numbers: patches, curves with their slopes, points; and how well the surfaces keep
+/// to it all.
+Panel* make_surface_panel(DrawnNetwork& network);
+
 /// Attribute surfaces: curves drawn in space become smooth patches, which points and curves inside them pull.
 class SurfaceDrawingTool final : public Tool {
   Q_OBJECT
@@ -56,60 +67,39 @@ class SurfaceDrawingTool final : public Tool {
  public:
   explicit SurfaceDrawingTool(ToolHost& host);
 
-  NetworkInteraction& network() { return network_; }
+  DrawnNetwork& network() { return network_; }
   const UniformGhost& ghost() const { return ghost_; }
   const DomainPanel& domain_panel() const { return *domain_panel_; }
 
   void make_actions(ActionList& actions) override;
   void make_panels(PanelDocks& docks) override;
+  void make_replays(Replays& replays) override;
   void refresh() override;
-  QStringList marking_menu(int view) const override;
-
   void set_mode(const QString& mode) override;
-  bool works_in(int view) const override;
-  void take(const PointerEvent& event) override;
-  bool down() const override { return network_.down(); }
-  bool abandon() override { return network_.abandon(); }
-  QString help() const override;
-  QString tooltip() const override { return network_.told_finding(); }
+  void follow(Change change) override;
 
+  ViewUse use_of(int view) const override;
+  ToolWords words() const override;
+  ToolState state() const override;
+
+  void take(const PointerEvent& event) override;
   bool command(EditCommand command) override;
-  bool has_selection() const override;
-  bool open_step(const Node& step) override;
+  bool show(const Target& target) override;
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
   void add_to(render::Scene& scene, int view) override;
-  render::Bounds bounds_in(int view) const override;
-  ViewUse use_of(int view) const override;
   std::optional<SelectionFrame> selection_frame(int view) const override;
   void place_chips(ChipPlaces& places) override;
-  bool busy() const override { return ghost_.busy() || taking_.busy(); }
 
-  void follow(Change change) override;
-  bool show_finding(const NodeFinding& found) override;
-  QString status() const override;
-
-  void make_replays(Replays& replays) override;
+ protected:
+  void feed(const std::vector<PenStep>& steps) override;
+  void hover(const PointerEvent& event) override;
 
  private:
-  bool is_there() const { return studio().network_node() != 0; }
-  void begin_new();
-  void show_in_space();
-  void make_mode_actions(ActionList& actions);
-  void make_element_actions(ActionList& actions);
-  void make_view_actions(ActionList& actions);
-  void make_source_actions(ActionList& actions);
-  void split_selected();
-  void toggle_symmetry();
-  void draw_through_selected();
-  static QString no_patch_help();
-  void look_at(const NetworkElements& elements);
   void follow_panels();
-  void show_opened();
-  void add_counts(Replays& replays);
-  SymmetryPlane mirror_plane() const;
+  void show_in_space();
 
-  NetworkInteraction network_;
+  DrawnNetwork network_;
   UniformGhost ghost_;
   CurveTaking taking_;
   SurfaceChips chips_;
@@ -119,6 +109,8 @@ class SurfaceDrawingTool final : public Tool {
   QDockWidget* dock_ = nullptr;
   QDockWidget* domain_dock_ = nullptr;
   NodeId opened_ = 0;
+  int gesture_view_ = 0;
+  QString under_pointer_;  ///< the sentences of the findings whose marks are there
 };
 
 }  // namespace croquis::app

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/surface/surface_panel.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -9,10 +7,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "app/tools/surface/surface_drawing_tool.h"
+
 namespace croquis::app {
 namespace {
 
-constexpr double farthest = 1e9;
+constexpr double farthest_point = 1e9;
 constexpr double per_degree = std::numbers::pi / 180;
 
 /// "Patch f1", "3 patches".
@@ -23,30 +23,30 @@ QString counted_ids(const std::vector<std::string>& ids, const QString& one, con
 QString quality_number(double value) { return number_words(value, 3); }
 
 /// The selected patches, else all.
-std::vector<std::string> faces_meant(NetworkInteraction& network) {
-  const NetworkElements selected = network.tool().selected();
+std::vector<std::string> faces_meant(DrawnNetwork& network) {
+  const NetworkElements selected = network.tool.selected();
   return selected.faces.empty() ? element_ids(network.network(), NetworkElement::Face) : selected.faces;
 }
 
 /// The first of some elements; null where there is none.
 template <class Element>
-const Element* first_of(const std::vector<Element>& elements, const NetworkInteraction& network, NetworkElement kind,
+const Element* first_of(const std::vector<Element>& elements, const DrawnNetwork& network, NetworkElement kind,
                         const std::vector<std::string>& ids) {
   const Index found = ids.empty() ? no_index : find_element(network.network(), kind, ids.front());
   return found == no_index ? nullptr : &elements[found];
 }
 
-const AttributeFace* first_face(NetworkInteraction& network) {
+const AttributeFace* first_face(DrawnNetwork& network) {
   return first_of(network.network().faces, network, NetworkElement::Face, faces_meant(network));
 }
 
-const PointAttribute* first_point(NetworkInteraction& network) {
-  return first_of(network.network().points, network, NetworkElement::Point, network.tool().selected().points);
+const PointAttribute* first_point(DrawnNetwork& network) {
+  return first_of(network.network().points, network, NetworkElement::Point, network.tool.selected().points);
 }
 
 /// The first selected curve, where it runs inside a patch.
-const InnerCurve* first_inner(NetworkInteraction& network) {
-  const std::vector<std::string> curves = network.tool().selected().curves;
+const InnerCurve* first_inner(DrawnNetwork& network) {
+  const std::vector<std::string> curves = network.tool.selected().curves;
   const Index curve =
       curves.empty() ? no_index : find_element(network.network(), NetworkElement::Curve, curves.front());
   for (const AttributeFace& face : network.network().faces) {
@@ -56,30 +56,30 @@ const InnerCurve* first_inner(NetworkInteraction& network) {
   return nullptr;
 }
 
-/// One for each patch along the selected curve; the middle handle tells of all.
-std::vector<SlopeTip> slopes_of(NetworkInteraction& network) {
+/// One for each patch along the selected curve; the middle handle stands for all.
+std::vector<SlopeTip> slopes_of(DrawnNetwork& network) {
   std::vector<SlopeTip> sides;
-  for (const SlopeTip& tip : network.tool().slopes()) {
+  for (const SlopeTip& tip : network.tool.slopes()) {
     if (std::ranges::find(sides, tip.side, &SlopeTip::side) == sides.end()) sides.push_back(tip);
   }
   return sides;
 }
 
-void set_faces(NetworkInteraction& network, const FaceSetting& setting) {
+void set_faces(DrawnNetwork& network, const FaceSetting& setting) {
   const std::vector<std::string> faces = faces_meant(network);
   if (!faces.empty()) network.act(recorded::SurfaceFaceSetting{faces, setting, false});
 }
 
-void set_points(NetworkInteraction& network, const PointSetting& setting) {
-  const std::vector<std::string> points = network.tool().selected().points;
+void set_points(DrawnNetwork& network, const PointSetting& setting) {
+  const std::vector<std::string> points = network.tool.selected().points;
   if (!points.empty()) network.act(recorded::SurfacePointSetting{points, setting});
 }
 
 /// A normal that is asked for begins as the surface's own.
-void set_normal(NetworkInteraction& network, bool is_given, Vec3 normal) {
+void set_normal(DrawnNetwork& network, bool is_given, Vec3 normal) {
   const PointAttribute* point = first_point(network);
   if (point == nullptr) return;
-  const SurfaceSight* sight = network.sight();
+  const SurfaceSight* sight = network.sight.get();
   if (!(normal.norm() > 0) && sight != nullptr) normal = sight->normal_at(point->id).value_or(Vec3::UnitY());
   if (!(normal.norm() > 0)) return;
   PointSetting setting;
@@ -88,7 +88,7 @@ void set_normal(NetworkInteraction& network, bool is_given, Vec3 normal) {
 }
 
 /// What is shown of the first selected point's normal.
-Vec3 shown_normal(NetworkInteraction& network) {
+Vec3 shown_normal(DrawnNetwork& network) {
   const PointAttribute* point = first_point(network);
   return point != nullptr && point->normal ? Vec3(point->normal->normalized()) : Vec3(Vec3::Zero());
 }
@@ -112,11 +112,11 @@ void add_labelled(QGridLayout& grid, int row, QWidget* label, QWidget* field) {
   grid.addWidget(field, row, 1);
 }
 
-void add_faces(Panel& panel, NetworkInteraction& network) {
+void add_faces(Panel& panel, DrawnNetwork& network) {
   QGridLayout* grid = add_group(
       panel,
       [&network] {
-        const std::vector<std::string> faces = network.tool().selected().faces;
+        const std::vector<std::string> faces = network.tool.selected().faces;
         return faces.empty() ? Panel::tr("All patches")
                              : counted_ids(faces, Panel::tr("Patch %1"), Panel::tr("%1 patches"));
       },
@@ -165,7 +165,7 @@ void add_faces(Panel& panel, NetworkInteraction& network) {
 }
 
 /// How strongly a patch leaves the selected curve, of the first or second patch beside it.
-void add_slope(Panel& panel, NetworkInteraction& network, QGridLayout& grid, std::size_t side) {
+void add_slope(Panel& panel, DrawnNetwork& network, QGridLayout& grid, std::size_t side) {
   QLabel* title = panel.label({});
   QDoubleSpinBox* magnitude = panel.number(
       QString("surface-slope-%1").arg(side), {0, 100, 2},
@@ -192,28 +192,27 @@ void add_slope(Panel& panel, NetworkInteraction& network, QGridLayout& grid, std
   add_labelled(grid, 2 + static_cast<int>(side), title, magnitude);
 }
 
-void add_curves(Panel& panel, NetworkInteraction& network) {
+void add_curves(Panel& panel, DrawnNetwork& network) {
   QGridLayout* grid = add_group(
       panel,
       [&network] {
-        const std::vector<std::string> curves = network.tool().selected().curves;
+        const std::vector<std::string> curves = network.tool.selected().curves;
         return curves.empty() ? Panel::tr("Curves")
                               : counted_ids(curves, Panel::tr("Curve %1"), Panel::tr("%1 curves"));
       },
-      [&network] { return !network.tool().selected().curves.empty(); });
-  add_labelled(
-      *grid, 0, panel.label(Panel::tr("Join")),
-      panel.choice(
-          "surface-join", {Panel::tr("crease"), Panel::tr("smooth")},
-          [&network]() -> std::optional<int> {
-            const auto* curve =
-                first_of(network.network().curves, network, NetworkElement::Curve, network.tool().selected().curves);
-            return curve == nullptr ? std::nullopt : std::optional(static_cast<int>(curve->join));
-          },
-          [&network](int index) {
-            network.act(recorded::SurfaceJoin{network.tool().selected().curves, static_cast<CurveJoin>(index)});
-          },
-          Panel::tr("How the two patches beside a curve meet in it (S)")));
+      [&network] { return !network.tool.selected().curves.empty(); });
+  add_labelled(*grid, 0, panel.label(Panel::tr("Join")),
+               panel.choice(
+                   "surface-join", {Panel::tr("crease"), Panel::tr("smooth")},
+                   [&network]() -> std::optional<int> {
+                     const auto* curve = first_of(network.network().curves, network, NetworkElement::Curve,
+                                                  network.tool.selected().curves);
+                     return curve == nullptr ? std::nullopt : std::optional(static_cast<int>(curve->join));
+                   },
+                   [&network](int index) {
+                     network.act(recorded::SurfaceJoin{network.tool.selected().curves, static_cast<CurveJoin>(index)});
+                   },
+                   Panel::tr("How the two patches beside a curve meet in it (S)")));
   add_labelled(*grid, 1, panel.label(Panel::tr("Inner curve")),
                panel.choice(
                    "surface-inner-profile", {Panel::tr("round"), Panel::tr("ridge")},
@@ -224,7 +223,7 @@ void add_curves(Panel& panel, NetworkInteraction& network) {
                    [&network](int index) {
                      InnerSetting setting;
                      setting.profile = static_cast<InnerProfile>(index);
-                     for (const std::string& curve : network.tool().selected().curves)
+                     for (const std::string& curve : network.tool.selected().curves)
                        network.act(recorded::SurfaceInner{curve, {}, false, setting});
                    },
                    Panel::tr("What the patch does along a curve inside it")));
@@ -232,21 +231,21 @@ void add_curves(Panel& panel, NetworkInteraction& network) {
 }
 
 /// Place and normal of the first selected point.
-void add_coordinates(Panel& panel, NetworkInteraction& network, QGridLayout& grid) {
+void add_coordinates(Panel& panel, DrawnNetwork& network, QGridLayout& grid) {
   grid.addWidget(panel.label(Panel::tr("Place")), 0, 0);
   for (int axis = 0; axis < 3; ++axis) {
     const QChar letter('x' + axis);
     grid.addWidget(panel.number(
-                       QString("surface-point-") + letter, {-farthest, farthest, 4},
+                       QString("surface-point-") + letter, {-farthest_point, farthest_point, 4},
                        [&network, axis] {
                          const PointAttribute* point = first_point(network);
                          return Panel::Number{point == nullptr ? 0 : point->point[axis],
-                                              network.tool().selected().points.size() == 1};
+                                              network.tool.selected().points.size() == 1};
                        },
                        // The other coordinates stay exactly as they are.
                        [&network, axis](double value) {
                          const PointAttribute* point = first_point(network);
-                         if (point == nullptr || network.tool().selected().points.size() != 1) return;
+                         if (point == nullptr || network.tool.selected().points.size() != 1) return;
                          PointSetting setting;
                          setting.point = point->point;
                          (*setting.point)[axis] = value;
@@ -268,18 +267,18 @@ void add_coordinates(Panel& panel, NetworkInteraction& network, QGridLayout& gri
   }
 }
 
-void add_points(Panel& panel, NetworkInteraction& network) {
+void add_points(Panel& panel, DrawnNetwork& network) {
   QGridLayout* grid = add_group(
       panel,
       [&network] {
-        const std::vector<std::string> points = network.tool().selected().points;
+        const std::vector<std::string> points = network.tool.selected().points;
         return points.empty() ? Panel::tr("Points")
                               : counted_ids(points, Panel::tr("Point %1"), Panel::tr("%1 points"));
       },
       [&network] { return first_point(network) != nullptr; });
   add_coordinates(panel, network, *grid);
   QDoubleSpinBox* radius = panel.number(
-      "surface-radius", {0, farthest, 4},
+      "surface-radius", {0, farthest_point, 4},
       [&network] {
         const PointAttribute* point = first_point(network);
         return Panel::Number{point == nullptr ? 0 : point->radius.value_or(0)};
@@ -316,8 +315,8 @@ void add_points(Panel& panel, NetworkInteraction& network) {
 }
 
 /// How far the surfaces miss what they are made from.
-QString quality_text(const NetworkInteraction& network) {
-  const ShownSurface& shown = network.shown();
+QString quality_text(const DrawnNetwork& network) {
+  const ShownSurface& shown = network.shown;
   if (!shown) return {};
   const SurfaceMeasures& measures = shown.found->measures;
   double points = 0;
@@ -338,10 +337,10 @@ QString quality_text(const NetworkInteraction& network) {
 
 }  // namespace
 
-Panel* make_surface_panel(NetworkInteraction& network, const std::function<QAction*(const QString&)>& action) {
+Panel* make_surface_panel(DrawnNetwork& network) {
   auto* panel = new Panel("surface-panel");
   panel->buttons({"fill-loop", "split-element", "merge-patches", "turn-patches", "mirror-network", "symmetric-edit"}, 3,
-                 Qt::ToolButtonTextOnly, action);
+                 Qt::ToolButtonTextOnly, [&network](const QString& name) { return network.host.action(name); });
   add_faces(*panel, network);
   add_curves(*panel, network);
   add_points(*panel, network);

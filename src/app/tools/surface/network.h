@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
-#include <QObject>
-#include <QTimer>
 #include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
 
-#include "app/studio/studio.h"
 #include "app/tools/surface/network_scene.h"
+#include "app/tools/tool.h"
 #include "croquis/tools/mesh/mesh_pick.h"
-#include "croquis/tools/pointer/pen.h"
 #include "croquis/tools/surface/surface_sight.h"
 
 namespace croquis::app {
@@ -70,82 +66,43 @@ class NetworkSight final : public SurfaceSight {
   mutable std::unique_ptr<MeshPicker> picker_;  ///< made when it is first needed
 };
 
-class Viewport;
+/// The network of curves that is worked on, with its surfaces and what is shown of it. Its actions, panels and chips
+/// are functions of it.
+struct DrawnNetwork {
+  DrawnNetwork(Tool& tool_of_window, ToolHost& window);
 
-/// Work on a network of curves: pen and mouse events of any view draw curves, pull points and fill loops, and the views
-/// show what they do.
-class NetworkInteraction : public QObject {
-  Q_OBJECT
-
- public:
-  /// @param views outlive this
-  NetworkInteraction(Studio& studio, Viewport& views);
-
-  SurfaceTool& tool() { return tool_; }
-  const SurfaceTool& tool() const { return tool_; }
-
-  /// Does a step of the tool; what it did is recorded, why it did nothing is shown.
-  void act(const recorded::Step& step);
-
-  void set_mode(SurfaceMode mode);
-  void take(const PointerEvent& event);  ///< its place in its view's pixels
-  bool down() const { return pen_.down(); }
-  bool abandon();
+  bool is_there() const { return host.studio().network_node() != 0; }
 
   /// Of the active object; an empty one while there is none.
-  const AttributeNetwork& network() const { return *network_; }
-  const ShownSurface& shown() const { return shown_; }
-  Findings findings() const;
-  Affine3 to_world() const { return shown_.to_world; }
-  const SurfaceSight* sight() const { return sight_.get(); }  ///< null before the first one
-
-  /// Why the last gesture or command did nothing.
-  const Findings& notes() const { return tool_.notes(); }
+  const AttributeNetwork& network() const { return *content; }
+  Findings findings() const { return shown.result ? shown.result->findings : Findings(); }
+  const Affine3& to_world() const { return shown.to_world; }
 
   /// How a view sees the network's own space.
   ViewFrame frame_of(int view) const;
 
-  const NetworkScene& scene() const { return scene_; }
-  void add_to(render::Scene& scene, int view) const;
+  /// Does a step of the tool; what it did is recorded, why it did nothing is said.
+  void act(const recorded::Step& step);
+  void finish(Verdict verdict);
 
-  /// The sentences of the findings under the pointer.
-  const QString& told_finding() const { return told_finding_; }
-
-  bool shows_jumps() const { return jumps_; }
+  void show_preview();
   void show_jumps(bool on);
-
   void follow_document();
   void follow_result();
 
- signals:
-  void changed();  ///< what is drawn
-  void state_changed();
-  void committed(const croquis::recorded::Step& step);
-  void told(const QString& sentence);
-
- private:
-  void take_pen(const std::vector<PenStep>& steps);
-  void feed(const PenStep& step);
-  void finish(Verdict verdict);
-  void hover(const PointerEvent& event);
-  void show_preview();
-  QString told_at(const Vec2& pixel, int view) const;
-
-  Studio& studio_;
-  Viewport& views_;
-  SurfaceTool tool_;
-  PenInput pen_;
-  DrawableMeshes meshes_;
-  NetworkScene scene_;
-  std::shared_ptr<const AttributeNetwork> network_;
-  ShownSurface shown_;
-  std::shared_ptr<const SurfaceSight> sight_;
-  bool jumps_ = false;
-  int gesture_view_ = 0;
-  QString told_finding_;
-  QTimer pen_watch_;  ///< while a gesture is under way: a pen may vanish without an event
-  double last_time_ = 0;
-  QElapsedTimer since_event_;
+  Tool& owner;
+  ToolHost& host;
+  SurfaceTool tool;
+  DrawableMeshes meshes;
+  NetworkScene scene;
+  std::shared_ptr<const AttributeNetwork> content;
+  ShownSurface shown;
+  std::shared_ptr<const SurfaceSight> sight;  ///< null before the first one
+  bool jumps = false;                         ///< angles along smooth curves are shown
+  std::vector<std::string> offered = {};      ///< the curves of a closed loop without a patch, if nothing is selected
 };
+
+/// Selects elements, and frames them.
+void look_at(DrawnNetwork& network, const NetworkElements& elements);
 
 }  // namespace croquis::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/tools/surface/network_interaction.h"
+#include "app/tools/surface/network.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,18 +63,6 @@ Vec3 weights_at(const std::array<Vec3, 3>& triangle, const Vec3& place) {
   const double b = (place - triangle[0]).cross(triangle[2] - triangle[0]).dot(normal) / area;
   const double c = (triangle[1] - triangle[0]).cross(place - triangle[0]).dot(normal) / area;
   return {1 - b - c, b, c};
-}
-
-constexpr int network_watch_ms = 100;
-constexpr double network_mark_reach = 12;  // logical pixels
-
-QString network_sentences(const Findings& findings) {
-  QStringList sentences;
-  for (const Finding& finding : findings) {
-    const QString sentence = QString::fromStdString(finding.message);
-    sentences << (sentence.endsWith('.') ? sentence : sentence + ".");
-  }
-  return sentences.join(' ');
 }
 
 const std::shared_ptr<const AttributeNetwork>& no_network() {
@@ -220,141 +208,75 @@ std::optional<SlopeFrame> NetworkSight::slope_at(const std::string& face_id, con
                     handle_share * surface->sigma()};
 }
 
-NetworkInteraction::NetworkInteraction(Studio& studio, Viewport& views)
-    : studio_(studio),
-      views_(views),
-      tool_(studio.session(), studio.network_options()),
-      meshes_(studio),
-      network_(no_network()) {
-  tool_.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
-  connect(&pen_watch_, &QTimer::timeout, this,
-          [this] { take_pen(pen_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
+DrawnNetwork::DrawnNetwork(Tool& tool_of_window, ToolHost& window)
+    : owner(tool_of_window),
+      host(window),
+      tool(window.studio().session(), window.studio().network_options()),
+      meshes(window.studio()),
+      content(no_network()) {
+  tool.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
 }
 
-Findings NetworkInteraction::findings() const { return shown_.result ? shown_.result->findings : Findings(); }
+ViewFrame DrawnNetwork::frame_of(int view) const { return seen_from(host.viewport().frame_of(view), to_world()); }
 
-ViewFrame NetworkInteraction::frame_of(int view) const { return seen_from(views_.frame_of(view), shown_.to_world); }
-
-void NetworkInteraction::act(const recorded::Step& step) {
+void DrawnNetwork::act(const recorded::Step& step) {
   try {
-    finish(tool_.take(step));
+    finish(tool.take(step));
   } catch (const Error& error) {
-    emit told(network_sentences(error.findings()));
+    host.say(sentences_of(error.findings()));
   }
   show_preview();
-  emit state_changed();
+  owner.refresh();
+  emit owner.state_changed();
 }
 
-void NetworkInteraction::finish(Verdict verdict) {
-  if (verdict == Verdict::Commit && tool_.done()) emit committed(*tool_.done());
-  if (!tool_.active()) emit told(network_sentences(tool_.notes()));
+void DrawnNetwork::finish(Verdict verdict) {
+  if (verdict == Verdict::Commit && tool.done()) emit owner.committed(*tool.done());
+  if (!tool.active()) host.say(sentences_of(tool.notes()));
 }
 
-void NetworkInteraction::set_mode(SurfaceMode mode) {
-  tool_.set_mode(mode);
-  studio_.hold_results(false);
-  show_preview();
+void DrawnNetwork::show_preview() {
+  scene.show_preview(tool.preview(), network(), to_world());
+  scene.show_handles(tool, network(), to_world());
+  emit owner.changed();
 }
 
-void NetworkInteraction::take(const PointerEvent& event) {
-  last_time_ = event.time;
-  since_event_.start();
-  take_pen(pen_.handle(event));
-  if (event.action == PointerEvent::Action::Leave) {
-    told_finding_.clear();
-    if (tool_.leave()) show_preview();
-  } else if (!pen_.down()) {
-    hover(event);
-  }
+void DrawnNetwork::show_jumps(bool on) {
+  jumps = on;
+  scene.show_jumps(network(), shown, jumps);
+  emit owner.changed();
 }
 
-bool NetworkInteraction::abandon() {
-  if (!pen_.down()) return false;
-  take_pen(pen_.cancel());
-  return true;
-}
-
-void NetworkInteraction::take_pen(const std::vector<PenStep>& steps) {
-  const bool was_active = tool_.active();
-  for (const PenStep& step : steps) feed(step);
-  if (pen_.down() && !pen_watch_.isActive()) pen_watch_.start(network_watch_ms);
-  if (!pen_.down()) pen_watch_.stop();
-  if (steps.empty()) return;
-  // Nothing else changes under a pen that draws: what is computed meanwhile is shown when the stroke has ended.
-  studio_.hold_results(tool_.active() && tool_.mode() == SurfaceMode::Draw);
-  show_preview();
-  if (was_active != tool_.active()) emit state_changed();
-}
-
-void NetworkInteraction::feed(const PenStep& step) {
-  gesture_view_ = step.view;
-  const MeshEvent event{step.kind, step.sample.position, step.modifiers, frame_of(step.view), step.sample.time};
-  try {
-    const Verdict verdict = tool_.handle(event);
-    if (step.kind == PenStep::Kind::End || step.kind == PenStep::Kind::Cancel) finish(verdict);
-  } catch (const Error& error) {
-    emit told(network_sentences(error.findings()));
-  }
-}
-
-void NetworkInteraction::hover(const PointerEvent& event) {
-  gesture_view_ = event.view;
-  const QString before = std::exchange(told_finding_, told_at(event.position, event.view));
-  if (tool_.hover(event.position, frame_of(event.view))) show_preview();
-}
-
-QString NetworkInteraction::told_at(const Vec2& pixel, int view) const {
-  QStringList sentences;
-  const ViewFrame frame = views_.frame_of(view);
-  for (const NetworkMark& mark : scene_.marks()) {
-    const auto seen = frame.project(mark.at);
-    const bool under = seen && (seen->pixel - pixel).norm() < network_mark_reach;
-    if (under && !sentences.contains(mark.sentence)) sentences << mark.sentence;
-  }
-  return sentences.join("\n");
-}
-
-void NetworkInteraction::show_preview() {
-  scene_.show_preview(tool_.preview(), *network_, to_world());
-  scene_.show_handles(tool_, *network_, to_world());
-  emit changed();
-}
-
-void NetworkInteraction::show_jumps(bool on) {
-  jumps_ = on;
-  scene_.show_jumps(*network_, shown_, jumps_);
-  emit changed();
-}
-
-void NetworkInteraction::add_to(render::Scene& scene, int view) const {
-  scene_.add_to(scene);
-  const auto& box = tool_.preview().box;
-  if (box && view == gesture_view_) add_box(*box, views_.frame_of(view), scene);
-}
-
-void NetworkInteraction::follow_document() {
-  const NodeId node = studio_.network_node();
-  if (!pen_.down()) tool_.settings().node = node;
-  const auto network = source_of<AttributeNetwork>(studio_.session().document().find(node));
-  network_ = network ? network : no_network();
+void DrawnNetwork::follow_document() {
+  const NodeId node = host.studio().network_node();
+  if (!owner.down()) tool.settings().node = node;
+  const auto network = source_of<AttributeNetwork>(host.studio().session().document().find(node));
+  content = network ? network : no_network();
   follow_result();
 }
 
-void NetworkInteraction::follow_result() {
-  const NodeId node = studio_.network_node();
+void DrawnNetwork::follow_result() {
+  const NodeId node = host.studio().network_node();
   if (node == 0) return;
-  const NodeId operation = tool_.operation_node();
-  ShownSurface now = shown_surface(studio_, node, operation);
-  if (now.result != shown_.result || now.mesh != shown_.mesh || now.to_world != shown_.to_world) {
-    const WorkObject* object = studio_.object(operation);
-    sight_ = std::make_shared<NetworkSight>(now, object == nullptr ? operation : object->node, meshes_);
-    tool_.settings().sight = sight_;
+  const NodeId operation = tool.operation_node();
+  ShownSurface now = shown_surface(host.studio(), node, operation);
+  if (now.result != shown.result || now.mesh != shown.mesh || now.to_world != shown.to_world) {
+    const WorkObject* object = host.studio().object(operation);
+    sight = std::make_shared<NetworkSight>(now, object == nullptr ? operation : object->node, meshes);
+    tool.settings().sight = sight;
   }
-  shown_ = std::move(now);
-  scene_.show_network(*network_, shown_, tool_.selected());
-  scene_.show_findings(*network_, to_world(), findings());
-  scene_.show_jumps(*network_, shown_, jumps_);
+  shown = std::move(now);
+  scene.show_network(network(), shown, tool.selected());
+  scene.show_findings(network(), to_world(), findings());
+  scene.show_jumps(network(), shown, jumps);
   show_preview();
+}
+
+void look_at(DrawnNetwork& network, const NetworkElements& elements) {
+  if (elements.empty()) return;
+  if (network.host.viewport().mode() != select_mode) network.host.set_mode(select_mode);
+  network.act(recorded::SurfaceChoice{elements});
+  network.host.viewport().frame_selection();
 }
 
 }  // namespace croquis::app
