@@ -23,14 +23,14 @@ Progress Progress::step(const std::string& name, double share) {
   return part;
 }
 
-void Progress::report(double fraction) { tell(fraction, name_); }
+void Progress::report(double fraction) { notify(fraction, name_); }
 
 void Progress::report(std::size_t done, std::size_t count) {
   const double fraction = count == 0 ? 1 : static_cast<double>(done) / static_cast<double>(count);
-  tell(fraction, name_ + ' ' + std::to_string(done) + " of " + std::to_string(count));
+  notify(fraction, name_ + ' ' + std::to_string(done) + " of " + std::to_string(count));
 }
 
-void Progress::tell(double fraction, const std::string& name) {
+void Progress::notify(double fraction, const std::string& name) {
   check();
   if (!shared_ || !shared_->sink) return;
   const double whole = begin_ + (end_ - begin_) * std::clamp(fraction, 0.0, 1.0);

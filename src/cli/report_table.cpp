@@ -55,7 +55,7 @@ Column column_of(const Report& list, const std::string& key) {
   return column;
 }
 
-bool tells_something(const Column& column) {
+bool says_something(const Column& column) {
   return std::any_of(column.begin() + 1, column.end(), [](const std::string& cell) { return cell != unknown; });
 }
 
@@ -78,7 +78,7 @@ std::string report_table(const Report& list) {
   std::vector<Column> columns;
   for (const auto& [key, value] : list.as_array().front().as_object()) {
     Column column = column_of(list, key);
-    if (tells_something(column)) columns.push_back(std::move(column));
+    if (says_something(column)) columns.push_back(std::move(column));
   }
   std::string table;
   for (std::size_t row = 0; row <= list.as_array().size(); ++row) {

@@ -200,7 +200,7 @@ Outcome execute(const Command& command, const Invocation& invocation, ProgressDi
   } catch (const std::exception& exception) {
     fail(outcome, {internal_finding(exception.what())}, exit_internal);
   }
-  // Notes count too: what was only guessed is to be told by an input that is read strictly.
+  // Notes count too: what was only guessed is named for an input that is read strictly.
   if (outcome.code == exit_done && invocation.strict && !outcome.result.warnings.empty()) outcome.code = exit_warnings;
   return outcome;
 }

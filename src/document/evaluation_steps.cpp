@@ -156,11 +156,11 @@ bool has_port(const OperationDescription& description, const std::string& name) 
                      [&](const PortDescription& port) { return port.name == name; });
 }
 
-/// Why an input failed, told of what waits for it as well: a host that shows this one alone has the reason.
+/// Why an input failed, named for what waits for it as well: a host that shows this one alone has the reason.
 void add_reasons(const Findings& of_input, Findings& findings) {
   for (const Finding& reason : of_input) {
-    const bool told = std::ranges::any_of(findings, [&](const Finding& f) { return f.message == reason.message; });
-    if (reason.severity == Severity::Error && reason.code != "E_INPUT_FAILED" && !told) findings.push_back(reason);
+    const bool known = std::ranges::any_of(findings, [&](const Finding& f) { return f.message == reason.message; });
+    if (reason.severity == Severity::Error && reason.code != "E_INPUT_FAILED" && !known) findings.push_back(reason);
   }
 }
 

@@ -98,8 +98,8 @@ std::unique_ptr<const Operation> fill_operation() {
       "remeshes the whole model.",
       {{"scan", ValueType::Mesh, "Any mesh, dirty ones too; it isn't changed."}},
       {{"mesh", ValueType::Mesh,
-        "The scan's vertices and faces, then those of the patches, or the model remeshed: faces tell theirs by "
-        "patch_id, vertices how well the surface around backs them by confidence."},
+        "The scan's vertices and faces, then those of the patches, or the model remeshed: patch_id is the "
+        "patch of a face, confidence how well the surface around backs a vertex."},
        {"rims", ValueType::Mesh, "The rims of the scan's holes as closed polylines, in the order of their numbers."},
        {"details", ValueType::Report, "Every hole with its measures and what became of it."}},
       parameters_of(list_fill_parameters),

@@ -62,7 +62,7 @@ void list_hole_parameters(FillSettings& settings, ParameterList& list) {
               "as they are. 0: only those at one place.")
       .titled("Join edges within");
   list.add(list_parameter("holes",
-                          "Wishes for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. "
+                          "Requests for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. "
                           "Words: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through "
                           "X Y Z."),
            [&](const ParameterValue& given) { fill.requests = requests_in(given); })

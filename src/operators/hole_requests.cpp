@@ -100,13 +100,13 @@ HoleRequest read_request(std::string_view text, Findings& findings) {
   for (const std::string_view word : split(text.substr(0, colon), separators_of_ids)) {
     if (!append_indices(word, request.holes))
       findings.push_back(
-          refusal(word, "wishes begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
+          refusal(word, "requests begin with the numbers of holes, counted from 0, such as '0,3-5: fill'."));
   }
   const auto parts = split(colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1), ",");
   for (const std::string_view part : parts) {
     if (!read_part(part, request))
       findings.push_back(refusal(part,
-                                 "a hole can be told fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge "
+                                 "a hole can be given fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge "
                                  "-1..1, trim 0..3 or through X Y Z."));
   }
   if (parts.empty() || split(text.substr(0, colon), separators_of_ids).empty())

@@ -7,7 +7,7 @@
 #include "croquis/base/parameter_list.h"
 #include "croquis/document/operation.h"
 
-/// The operations, one function for each: their descriptions tell what they do. all_operations.cpp lists them.
+/// The operations, one function for each: their descriptions say what they do. all_operations.cpp lists them.
 namespace croquis {
 
 std::unique_ptr<const Operation> attribute_network_operation();

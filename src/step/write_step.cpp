@@ -35,7 +35,7 @@ std::mutex& settings_mutex() {
   return mutex;
 }
 
-/// Passes progress on, and the wish to stop.
+/// Passes progress on, and the request to stop.
 class StepProgress final : public Message_ProgressIndicator {
  public:
   explicit StepProgress(const Progress& progress) : progress_(progress) {}
@@ -50,7 +50,7 @@ class StepProgress final : public Message_ProgressIndicator {
 
 Handle(TCollection_HAsciiString) text(const std::string& words) { return new TCollection_HAsciiString(words.c_str()); }
 
-/// Coordinates are written as they are: the unit of the file is the one that OpenCASCADE is told they are in.
+/// Coordinates are written as they are: the unit of the file is the one that OpenCASCADE is to take them in.
 void apply_settings(const StepOptions& options) {
   constexpr std::array<const char*, 4> units = {"MM", "CM", "M", "INCH"};
   STEPControl_Controller::Init();

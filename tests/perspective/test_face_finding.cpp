@@ -180,7 +180,7 @@ TEST_CASE("without one of its strokes a solid keeps the faces that don't have it
   }
 }
 
-TEST_CASE("a stroke missing from a box is told by the face that isn't flat") {
+TEST_CASE("a stroke missing from a box is found by the face that isn't flat") {
   const PerspectiveSolid solid = box();
   for (const NetworkCurve& curve : solid.network.curves) {
     const FaceFindingResult result = faces_of(without(solid.network, {curve.id}));

@@ -52,7 +52,7 @@ class Progress {
     double highest = 0;
   };
 
-  void tell(double fraction, const std::string& name);
+  void notify(double fraction, const std::string& name);
 
   std::shared_ptr<Shared> shared_;
   const std::atomic<bool>* cancel_ = nullptr;

@@ -28,7 +28,7 @@ struct PortDescription {
   bool is_raw = false;     ///< an input mesh as devices leave it: hosts offer to drop what isn't finite
   bool is_closed = false;  ///< an output mesh that is meant to be closed: hosts warn where it isn't
   bool joins_seams = false;  ///< an output mesh that begins with the input's faces and then has `new_faces` of the
-                             ///< details: hosts count vertices at one place (parameter `weld`) as one, and tell
+                             ///< details: hosts count vertices at one place (parameter `weld`) as one, and separate
                              ///< self-intersections that were there from those that were added
 };
 

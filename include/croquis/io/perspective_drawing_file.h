@@ -54,7 +54,7 @@ std::string colour_of_group(StrokeGroup group);
 /// are in user units after all transforms; the viewBox is the sheet, else width and height, else what the strokes take
 /// (W_NO_SHEET).
 ///
-/// Without cq:* the colour tells the group (attribute, style, or class of a style sheet, of the stroke or of groups
+/// Without cq:* the colour gives the group (attribute, style, or class of a style sheet, of the stroke or of groups
 /// around it); construction lines are dashed or in a layer whose name (inkscape:label) begins with "construction", and
 /// strokes in one that begins with "hidden" are hidden. One subpath is one stroke, named as in read_svg_drawing; of
 /// closed ones every side is a stroke of its own, since the ends of one stroke never meet. Arcs become cubics of at

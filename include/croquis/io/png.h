@@ -19,7 +19,7 @@ struct Picture {
 /// @throws Error (E_PICTURE, internal) when the sizes contradict each other or the picture is empty
 std::string encode_png(const Picture& picture);
 
-/// How a PNG file's pixels lie: the orientation that its Exif data tell, 1..8; 1, as they are, where they tell none.
+/// How a PNG file's pixels lie: the orientation that its Exif data give, 1..8; 1, as they are, where they give none.
 /// Any bytes.
 int png_orientation(std::string_view bytes);
 

@@ -58,7 +58,7 @@ void run_convert(const Invocation& invocation, CommandResult& result, Progress& 
 
 Command info_command() {
   return {{.name = "info",
-           .sentence = "Tells what a mesh file holds: counts, topology, area, volume, bounds.",
+           .sentence = "Shows what a mesh file holds: counts, topology, area, volume, bounds.",
            .parameters = {flag_parameter("self-intersections", false, "Count pairs of faces that intersect as well.")},
            .examples = {"croquis-cli info model.obj", "croquis-cli info --json --self-intersections scan.ply"}},
           run_info};

@@ -335,7 +335,7 @@ class ProjectRun {
   /// The findings of everything that the node is made from, once. These evaluations are available already.
   void collect_findings(NodeId id) {
     for (const auto& node : document_.upstream(id)) {
-      if (!told_.insert(node->id).second) continue;
+      if (!reported_.insert(node->id).second) continue;
       Progress silent;
       const Findings more = evaluator_.evaluate(document_, node->id, Quality::Final, silent)->findings;
       findings_.insert(findings_.end(), more.begin(), more.end());
@@ -348,7 +348,7 @@ class ProjectRun {
   CommandResult& result_;
   Report nodes_ = Report::array();
   Findings findings_;
-  std::set<NodeId> told_;
+  std::set<NodeId> reported_;
   std::vector<NamedMesh> meshes_;
   bool is_solid_ = false;
 };

@@ -46,7 +46,7 @@ std::vector<PerspectiveStrokeResult> stroke_results(const PerspectiveDrawing& dr
   return results;
 }
 
-/// Strokes of a loop of curves; the parts of one stroke are told once.
+/// Strokes of a loop of curves; the parts of one stroke are named once.
 class StrokeNames {
  public:
   StrokeNames(const PerspectiveDrawing& drawing, const LiftedCurves& curves) : drawing_(drawing), curves_(curves) {}

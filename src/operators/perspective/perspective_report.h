@@ -23,7 +23,7 @@ std::vector<ProposedFix> proposed_fixes(const PerspectiveDrawing& drawing,
 /// The drawing with that change.
 PerspectiveDrawing with_fix(PerspectiveDrawing drawing, const ProposedFix& fix);
 
-/// Tells each finding about a contradiction the change that would end it.
+/// Adds to each finding about a contradiction the change that would end it.
 void attach_fixes(const std::vector<ProposedFix>& fixes, Findings& findings);
 
 /// The `details` of the report.

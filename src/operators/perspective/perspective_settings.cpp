@@ -95,7 +95,7 @@ void list_perspective_parameters(PerspectiveSettings& settings, ParameterList& l
   list.number("field-of-view", settings.field_of_view, 170, "degrees",
               "Across the width of the sheet, where it is known; 0 where it isn't.")
       .at(ParameterPlace::Expert);
-  list.flag("flip", settings.network.camera.turn_round, "x and y point the other way; a drawing doesn't tell which.")
+  list.flag("flip", settings.network.camera.turn_round, "x and y point the other way; a drawing doesn't show which.")
       .titled("Turn x and y round")
       .at(ParameterPlace::Expert);
   strokes("ignore", "A stroke that is left out.", [&](const std::string& text) { settings.ignored = items_of(text); });

@@ -263,7 +263,7 @@ std::size_t byte_size(const SurfaceResult& result) {
 
 std::unique_ptr<const Operation> surface_operation() {
   PortDescription questions{"evaluate", ValueType::Report,
-                            "Places of faces whose point and normal are told, in the format croquis-abs-places/1."};
+                            "Places of faces whose point and normal are reported, in the format croquis-abs-places/1."};
   questions.optional = true;
   questions.asks = true;
   return operation_of(

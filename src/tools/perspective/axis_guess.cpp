@@ -206,7 +206,7 @@ Planes shared_planes(const CurveNetwork& network, Index a, Index b) {
   return {std::abs(way.x()) <= limit, std::abs(way.y()) <= limit, std::abs(way.z()) <= limit};
 }
 
-/// Of the planes that may be, the preferred one, else the most frontal. Unknown: nothing tells them apart.
+/// Of the planes that may be, the preferred one, else the most frontal. Unknown: nothing separates them.
 StrokeGroup best_plane(const Planes& may, const Vec3& sight, StrokeGroup preferred) {
   if (preferred != StrokeGroup::Unknown && may[static_cast<std::size_t>(axis_of(preferred))]) return preferred;
   StrokeGroup best = StrokeGroup::Unknown;

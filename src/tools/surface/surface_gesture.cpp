@@ -18,7 +18,7 @@ constexpr double curve_snap_share = 0.7;  // × the reach of nodes: curves are e
 constexpr double on_ground = 1e-6;        // × the network's size: so near to the ground is on it
 
 constexpr double seen_from_the_front = 0.25;  // sine between a line and the view's direction: below, places along the
-                                              // line can't be told apart by a pointer
+                                              // line can't be distinguished by a pointer
 
 /// 1 for a plane seen straight on, less the flatter it is seen: there a pen that is a pixel off goes far.
 double slant_of(const SpacePlane& plane, const ViewFrame& frame, const Vec3& place) {

@@ -16,7 +16,7 @@ namespace croquis::recorded {
 ///
 ///     static constexpr std::array verbs{"move"};  // of "do"; with several, `describe` has the field as well
 ///     void describe(Fields& fields);              // lists the fields
-///     static constexpr const char* mark = "from";  // a field by which kinds that share a verb are told apart, if any
+///     static constexpr const char* mark = "from";  // a field by which kinds that share a verb differ, if any
 template <typename T>
 concept StepValue = requires(T step, Fields& fields) {
   T::verbs;

@@ -118,7 +118,8 @@ Vec2 along_the_limit(const SearchedSurface& surface, const Vec2& place, const Ve
   return step;
 }
 
-/// Distances of a far point hardly differ between near places, but gradients do: plain steps of Newton's while these fall.
+/// Distances of a far point hardly differ between near places, but gradients do: plain steps of Newton's while these
+/// fall.
 Vec2 polished(const SearchedSurface& surface, const Vec2& start) {
   Vec2 place = start;
   double size = surface.gradient(place).norm();

@@ -21,7 +21,7 @@ namespace croquis::hole_filling {
 namespace {
 
 /// One of several fans of triangles that meet in a vertex alone.
-struct Petal {
+struct Fan {
   Vec3 first;   ///< from the vertex along the rim edge that leaves it: the fan lies to its left
   Vec3 last;    ///< from the vertex along the rim edge that arrives, backwards: the fan lies to its right
   Vec3 normal;  ///< of the fan, any length
@@ -30,10 +30,10 @@ struct Petal {
 /// Fans turned further than this from their mean normal (60 degrees) aren't seen as lying in one surface.
 constexpr double least_fan_agreement = 0.5;
 
-/// Where petals begin and end, as angles counter-clockwise from the first one's beginning.
+/// Where fans begin and end, as angles counter-clockwise from the first one's beginning.
 struct FanExtent {
   double begin, end;
-  std::size_t petal;
+  std::size_t fan;
 };
 
 double turn_between(const Vec3& from, const Vec3& to, const Vec3& axis) {
@@ -41,25 +41,25 @@ double turn_between(const Vec3& from, const Vec3& to, const Vec3& axis) {
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// For each petal the next one counter-clockwise, whose `first` bounds the same gap as its `last`; nothing when the
-/// petals don't lie around the vertex one after another, seen along their mean normal.
-std::vector<std::size_t> petal_across_gap(std::span<const Petal> petals) {
+/// For each fan the next one counter-clockwise, whose `first` bounds the same gap as its `last`; nothing when the
+/// fans don't lie around the vertex one after another, seen along their mean normal.
+std::vector<std::size_t> fan_across_gap(std::span<const Fan> fans) {
   Vec3 axis = Vec3::Zero();
-  for (const Petal& petal : petals) axis += petal.normal.normalized();
+  for (const Fan& fan : fans) axis += fan.normal.normalized();
   axis.normalize();
   std::vector<FanExtent> around;
-  for (std::size_t i = 0; i < petals.size(); ++i) {
-    if (!(petals[i].normal.normalized().dot(axis) > least_fan_agreement)) return {};
-    const double begin = i == 0 ? 0 : turn_between(petals[0].first, petals[i].first, axis);
-    around.push_back({begin, begin + turn_between(petals[i].first, petals[i].last, axis), i});
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    if (!(fans[i].normal.normalized().dot(axis) > least_fan_agreement)) return {};
+    const double begin = i == 0 ? 0 : turn_between(fans[0].first, fans[i].first, axis);
+    around.push_back({begin, begin + turn_between(fans[i].first, fans[i].last, axis), i});
   }
   std::sort(around.begin(), around.end(), [](const FanExtent& a, const FanExtent& b) { return a.begin < b.begin; });
-  std::vector<std::size_t> across(petals.size());
+  std::vector<std::size_t> across(fans.size());
   for (std::size_t i = 0; i < around.size(); ++i) {
     const bool is_last = i + 1 == around.size();
     const double limit = is_last ? 2 * std::numbers::pi : around[i + 1].begin;
     if (!(around[i].end < limit)) return {};
-    across[around[i].petal] = around[is_last ? 0 : i + 1].petal;
+    across[around[i].fan] = around[is_last ? 0 : i + 1].fan;
   }
   return across;
 }
@@ -134,21 +134,21 @@ class RimWalk {
     std::sort(arrivals.begin(), arrivals.end());
     for (auto begin = arrivals.begin(); begin != arrivals.end();) {
       const auto end = std::find_if(begin, arrivals.end(), [&](const auto& a) { return a.first != begin->first; });
-      if (end - begin > 1) link_petals({begin, end});
+      if (end - begin > 1) link_fans({begin, end});
       begin = end;
     }
   }
 
-  void link_petals(std::span<const std::pair<Index, End>> arrivals) {
-    std::vector<Petal> petals;
+  void link_fans(std::span<const std::pair<Index, End>> arrivals) {
+    std::vector<Fan> fans;
     std::vector<End> leaving;
     for (const auto& [at, end] : arrivals) {
       leaving.push_back(partner_[end]);
       const Vec3& tip = positions_[at];
-      petals.push_back({positions_[view_.target(corner(partner_[end]))] - tip,
-                        positions_[view_.origin(corner(end))] - tip, fan_normal(end)});
+      fans.push_back({positions_[view_.target(corner(partner_[end]))] - tip,
+                      positions_[view_.origin(corner(end))] - tip, fan_normal(end)});
     }
-    const std::vector<std::size_t> across = petal_across_gap(petals);
+    const std::vector<std::size_t> across = fan_across_gap(fans);
     for (std::size_t i = 0; i < across.size(); ++i) {
       partner_[arrivals[i].second] = leaving[across[i]];
       partner_[leaving[across[i]]] = arrivals[i].second;

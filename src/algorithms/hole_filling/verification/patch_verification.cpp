@@ -244,7 +244,7 @@ class Restore {
 };
 
 /// Of two candidates that meet the later one goes, unless the earlier one goes for other reasons.
-void condemn_later(std::span<const Edge> pairs, const AddedFaces& added, std::vector<PatchVerdict>& verdicts) {
+void refuse_later(std::span<const Edge> pairs, const AddedFaces& added, std::vector<PatchVerdict>& verdicts) {
   std::vector<Edge> between;
   for (const auto& [low, high] : pairs) {
     const Index later = added.candidate[high - added.first];
@@ -433,7 +433,7 @@ void PatchVerifier::judge_against_each_other(std::span<const HolePatch> candidat
     const std::vector<Index> faces = added.faces_of(meet_others(boxes));
     if (faces.empty()) return;
     const auto found = find_intersections_of(patches_, faces, progress, {.max_pairs = most_pairs});
-    condemn_later(found.pairs, added, verdicts);
+    refuse_later(found.pairs, added, verdicts);
     is_complete = found.count <= found.pairs.size();
   }
 }

@@ -125,7 +125,7 @@ class Compaction {
   }
 
   /// Calls use(begin, end, rank of begin) for each run of kept elements that follow one another; long runs are cut, so
-  /// that the caller can look up from its work.
+  /// that the caller can look at the cancel flag.
   template <typename Use>
   void for_each_run(Use&& use) const {
     constexpr Index longest = 1u << 16;

@@ -88,7 +88,7 @@ void add_camera(Panel& panel, Sheet& sheet) {
       "perspective-flip", Panel::tr("Turn x and y round"),
       [&sheet] { return sheet_parameter<bool>(sheet, "flip").value_or(false); },
       [&sheet](bool on) { set_sheet_parameter(sheet, "flip", on); },
-      Panel::tr("Lets x and y point the other way: a drawing doesn't tell which")));
+      Panel::tr("Lets x and y point the other way: a drawing doesn't show which")));
   QDoubleSpinBox* field = panel.number(
       "perspective-field", {0, 170, 2},
       [&sheet] { return Panel::Number{sheet.drawing().field_of_view.value_or(0) / degree}; },
