@@ -7,7 +7,6 @@
 
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "croquis/base/error.h"
-#include "silhouette/part_depths.h"
 #include "silhouette/solids.h"
 #include "support/sample_count.h"
 #include "support/sketches/sketch_gallery.h"

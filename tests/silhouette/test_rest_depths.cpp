@@ -11,7 +11,6 @@
 
 #include "algorithms/silhouette/skeleton/rest_depths.h"
 #include "croquis/base/error.h"
-#include "silhouette/part_depths.h"
 #include "silhouette/solids.h"
 #include "support/random.h"
 #include "support/sample_count.h"
