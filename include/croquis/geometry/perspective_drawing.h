@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <variant>
 #include <vector>
 
 #include "croquis/geometry/vector.h"
@@ -50,6 +52,39 @@ struct PerspectiveStroke {
   const Vec2& start() const { return pieces.front()[0]; }
   const Vec2& end() const { return pieces.back()[3]; }
 };
+
+/// All members, in the order of a project's bytes, which never changes.
+inline auto members(const PerspectiveStroke& stroke) {
+  const auto& [id, role, group, colour, pieces, straight, from, to, link, start_lock, end_lock, hidden, weight, line] =
+      stroke;
+  return std::tie(id, role, group, colour, straight, pieces, from, to, link, start_lock, end_lock, hidden, weight,
+                  line);
+}
+
+inline constexpr std::array<const char*, 2> stroke_role_words = {"construction", "edge"};
+inline constexpr std::array<const char*, 3> end_lock_words = {"none", "smooth", "corner"};
+
+/// One of the members that strokes have beside their name, their shape, their role, their group and their colour.
+/// Files, recorded steps and settings of strokes go through the list of them.
+struct StrokeField {
+  const char* name;      ///< in JSON; attributes of SVG and recorded steps have '-' instead of '_'
+  const char* expected;  ///< what values of JSON have to be
+  std::variant<std::string PerspectiveStroke::*, bool PerspectiveStroke::*, EndLock PerspectiveStroke::*,
+               double PerspectiveStroke::*>
+      member;
+  const char* verb = nullptr;      ///< of a step that sets it ("Hide"); null for what people don't set
+  const char* verb_off = nullptr;  ///< of a step that sets it to false
+};
+
+/// All of them, in the order of files.
+inline constexpr std::array stroke_fields = {
+    StrokeField{"from", "a text", &PerspectiveStroke::from},
+    StrokeField{"to", "a text", &PerspectiveStroke::to},
+    StrokeField{"link", "true or false", &PerspectiveStroke::link, "Link pieces by", "Unlink"},
+    StrokeField{"start_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::start_lock, "Lock the ends of"},
+    StrokeField{"end_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::end_lock, "Lock the ends of"},
+    StrokeField{"hidden", "true or false", &PerspectiveStroke::hidden, "Hide", "Show"},
+    StrokeField{"weight", "a number above 0", &PerspectiveStroke::weight, "Change"}};
 
 /// A place of the picture whose point in space is known.
 struct KnownPoint {

@@ -8,13 +8,6 @@
 
 namespace croquis {
 
-inline auto members(const PerspectiveStroke& stroke) {
-  const auto& [id, role, group, colour, pieces, straight, from, to, link, start_lock, end_lock, hidden, weight, line] =
-      stroke;
-  return std::tie(id, role, group, colour, straight, pieces, from, to, link, start_lock, end_lock, hidden, weight,
-                  line);
-}
-
 inline auto members(const KnownPoint& known) { return std::tie(known.at, known.point); }
 static_assert(lists_every_member<KnownPoint>);
 

@@ -33,7 +33,7 @@ Report piece_report(const PictureCubic& piece) {
 
 Report stroke_report(const PerspectiveStroke& stroke) {
   Report report;
-  report.set("id", stroke.id).set("role", word_of(stroke.role, role_words));
+  report.set("id", stroke.id).set("role", word_of(stroke.role, stroke_role_words));
   if (stroke.group != StrokeGroup::Unknown) report.set("group", static_cast<int>(stroke.group));
   Report points = Report::array();
   if (stroke.straight) {
@@ -170,7 +170,7 @@ class PerspectiveJsonReader : ReportNotes {
     target = number_of(value).value_or(0);
     return target > 0;
   }
-  static bool take(const Report* value, EndLock& target) { return take_word(value, lock_words, target); }
+  static bool take(const Report* value, EndLock& target) { return take_word(value, end_lock_words, target); }
 
   template <typename Enum, std::size_t N>
   static bool take_word(const Report* value, const std::array<const char*, N>& words, Enum& target) {
@@ -196,7 +196,7 @@ class PerspectiveJsonReader : ReportNotes {
   void read_stroke(const Report& report, const std::string& place, PerspectiveStroke& stroke) {
     if (!take(member_of(report, "id"), stroke.id) || stroke.id.empty()) refuse(place + "id", "it is not a text");
     maybe(report, "role", place, "\"edge\" or \"construction\"",
-          [&](const Report* value) { return take_word(value, role_words, stroke.role); });
+          [&](const Report* value) { return take_word(value, stroke_role_words, stroke.role); });
     maybe(report, "group", place, "a number from 0 to 5", [&](const Report* value) {
       const auto* group = report_as<std::int64_t>(value);
       const bool good = group != nullptr && *group >= 0 && *group <= 5;

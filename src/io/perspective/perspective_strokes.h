@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -16,28 +15,6 @@ namespace croquis {
 inline constexpr const char* perspective_format = "croquis-perspective/1";
 inline constexpr const char* perspective_namespace = "urn:croquis:perspective:1";
 
-inline constexpr std::array<const char*, 2> role_words = {"construction", "edge"};      ///< of StrokeRole
-inline constexpr std::array<const char*, 3> lock_words = {"none", "smooth", "corner"};  ///< of EndLock
-
-/// One of the members that strokes have beside their name, their shape, their role, their group and their colour.
-struct StrokeField {
-  const char* name;      ///< in JSON; attributes of SVG have '-' instead of '_'
-  const char* expected;  ///< what values of JSON have to be
-  std::variant<std::string PerspectiveStroke::*, bool PerspectiveStroke::*, EndLock PerspectiveStroke::*,
-               double PerspectiveStroke::*>
-      member;
-};
-
-/// All of them, in the order of files.
-inline constexpr std::array stroke_fields = {
-    StrokeField{"from", "a text", &PerspectiveStroke::from},
-    StrokeField{"to", "a text", &PerspectiveStroke::to},
-    StrokeField{"link", "true or false", &PerspectiveStroke::link},
-    StrokeField{"start_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::start_lock},
-    StrokeField{"end_lock", "\"smooth\" or \"corner\"", &PerspectiveStroke::end_lock},
-    StrokeField{"hidden", "true or false", &PerspectiveStroke::hidden},
-    StrokeField{"weight", "a number above 0", &PerspectiveStroke::weight}};
-
 /// Calls `write` with the value of each of a stroke's fields that isn't as usual: a text, true or a number.
 template <typename Write>
 void each_set_field(const PerspectiveStroke& stroke, const Write& write) {
@@ -47,7 +24,7 @@ void each_set_field(const PerspectiveStroke& stroke, const Write& write) {
         [&](auto member) {
           if (stroke.*member == usual.*member) return;
           if constexpr (std::is_same_v<decltype(member), EndLock PerspectiveStroke::*>) {
-            write(field, word_of(stroke.*member, lock_words));
+            write(field, word_of(stroke.*member, end_lock_words));
           } else {
             write(field, stroke.*member);
           }

@@ -159,7 +159,7 @@ class PerspectiveSvgReader {
     stroke.role = dashed || is_in_layer(node, "construction") ? StrokeRole::Construction : StrokeRole::Edge;
     stroke.hidden = is_in_layer(node, "hidden");
     const std::string_view role = inherited(node, "role");
-    take(shape, "role", role, value_of_word<StrokeRole>(role, role_words), stroke.role);
+    take(shape, "role", role, value_of_word<StrokeRole>(role, stroke_role_words), stroke.role);
     for (const StrokeField& field : stroke_fields) {
       std::string name = field.name;
       std::ranges::replace(name, '_', '-');
@@ -170,7 +170,7 @@ class PerspectiveSvgReader {
         std::optional<bool> operator()(bool PerspectiveStroke::*) const { return flag_of(text); }
         std::optional<double> operator()(double PerspectiveStroke::*) const { return positive_number_of(text); }
         std::optional<EndLock> operator()(EndLock PerspectiveStroke::*) const {
-          return value_of_word<EndLock>(text, lock_words);
+          return value_of_word<EndLock>(text, end_lock_words);
         }
       };
       std::visit([&](auto member) { take(shape, name, text, Visitor{text}(member), stroke.*member); }, field.member);

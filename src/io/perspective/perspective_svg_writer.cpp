@@ -99,7 +99,7 @@ void append_strokes(std::string& text, const PerspectiveDrawing& drawing) {
     const StrokeRole role = drawing.strokes[i].role;
     if (i == 0 || drawing.strokes[i - 1].role != role) {
       text += i == 0 ? "" : "</g>\n";
-      text.append("<g cq:role=\"").append(word_of(role, role_words)).append("\" fill=\"none\"");
+      text.append("<g cq:role=\"").append(word_of(role, stroke_role_words)).append("\" fill=\"none\"");
       text += role == StrokeRole::Edge ? " stroke-width=\"2\" stroke-linecap=\"round\">\n"
                                        : " stroke-width=\"0.8\" stroke-dasharray=\"6 4\">\n";
     }

@@ -390,11 +390,12 @@ void set_strokes(PerspectiveDrawing& drawing, const std::vector<std::string>& id
       }
     }
     if (setting.role) stroke.role = *setting.role;
-    if (setting.hidden) stroke.hidden = *setting.hidden;
-    if (setting.link) stroke.link = *setting.link;
-    if (setting.start_lock) stroke.start_lock = *setting.start_lock;
-    if (setting.end_lock) stroke.end_lock = *setting.end_lock;
-    if (setting.weight) stroke.weight = *setting.weight;
+    for (const StrokeField& field : stroke_fields) {
+      const auto given = setting.fields.find(field.name);
+      if (given == setting.fields.end()) continue;
+      std::visit([&]<typename T>(T PerspectiveStroke::*member) { stroke.*member = std::get<T>(given->second); },
+                 field.member);
+    }
   }
 }
 

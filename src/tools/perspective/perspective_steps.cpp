@@ -11,8 +11,8 @@ namespace croquis::recorded {
 namespace {
 
 const Words group_words = {"x", "y", "z", "normal-x", "normal-y", "normal-z", "unknown"};
-const Words role_words = {"construction", "edge"};
-const Words lock_words = {"none", "smooth", "corner"};
+const Words role_words(stroke_role_words.begin(), stroke_role_words.end());
+const Words lock_words(end_lock_words.begin(), end_lock_words.end());
 const Words axis_words = {"x", "y", "z"};
 
 constexpr double degree_in_radians = std::numbers::pi / 180;
@@ -58,6 +58,27 @@ PerspectiveStroke stroke_of_numbers(const std::vector<double>& numbers) {
   return stroke;
 }
 
+/// Fields that people set; what is read becomes part of the setting.
+void describe_fields(Fields& fields, StrokeSetting& setting) {
+  for (const StrokeField& field : stroke_fields) {
+    if (field.verb == nullptr) continue;
+    std::string name = field.name;
+    std::ranges::replace(name, '_', '-');
+    const auto exchange = [&]<typename T>(T PerspectiveStroke::*) {
+      std::optional<T> value;
+      if (const auto given = setting.fields.find(field.name); given != setting.fields.end())
+        value = std::get<T>(given->second);
+      if constexpr (std::is_same_v<T, EndLock>) {
+        fields.seldom(name, value, lock_words);
+      } else {
+        fields.seldom(name, value);
+      }
+      if (value) setting.fields[field.name] = *value;
+    };
+    std::visit(exchange, field.member);
+  }
+}
+
 }  // namespace
 
 void SheetStroke::describe(Fields& fields) {
@@ -79,12 +100,10 @@ void SheetSetting::describe(Fields& fields) {
   fields.required("strokes", strokes);
   fields.seldom("group", setting.group, group_words);
   fields.seldom("role", setting.role, role_words);
-  fields.seldom("hidden", setting.hidden);
-  fields.seldom("link", setting.link);
-  fields.seldom("start-lock", setting.start_lock, lock_words);
-  fields.seldom("end-lock", setting.end_lock, lock_words);
-  fields.seldom("weight", setting.weight);
-  fields.require(!setting.weight || *setting.weight > 0, "\"weight\" must be a number above 0");
+  describe_fields(fields, setting);
+  const auto weight = setting.fields.find("weight");
+  fields.require(weight == setting.fields.end() || std::get<double>(weight->second) > 0,
+                 "\"weight\" must be a number above 0");
   fields.require(setting.any(), "nothing is set: give \"group\", \"role\", \"hidden\" or another setting");
 }
 

@@ -29,9 +29,11 @@ std::string verb_of(const StrokeSetting& setting) {
     return is_parallel(*setting.group) ? "Lay along " + axis + ":" : "Lay across " + axis + ":";
   }
   if (setting.role) return *setting.role == StrokeRole::Construction ? "Make construction lines:" : "Make edges:";
-  if (setting.hidden) return *setting.hidden ? "Hide" : "Show";
-  if (setting.link) return *setting.link ? "Link pieces by" : "Unlink";
-  if (setting.start_lock || setting.end_lock) return "Lock the ends of";
+  for (const StrokeField& field : stroke_fields) {
+    const auto given = setting.fields.find(field.name);
+    if (given == setting.fields.end()) continue;
+    return given->second == decltype(given->second)(false) ? field.verb_off : field.verb;
+  }
   return "Change";
 }
 

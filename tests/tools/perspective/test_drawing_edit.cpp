@@ -94,7 +94,7 @@ TEST_CASE("strokes and points that aren't there are refused by name") {
   CHECK_THROWS_AS(move_point(drawing, first_edge(drawing).id, 2, {1, 1}), Error);
   CHECK_THROWS_AS(set_length(drawing, "nobody", 3.0), Error);
   CHECK_THROWS_AS(set_length(drawing, first_edge(drawing).id, 0.0), Error);
-  CHECK_THROWS_AS(set_strokes(drawing, {"nobody"}, {StrokeGroup::ParallelX, {}, {}, {}, {}, {}, {}}), Error);
+  CHECK_THROWS_AS(set_strokes(drawing, {"nobody"}, {StrokeGroup::ParallelX, {}, {}}), Error);
 }
 
 TEST_CASE("deleting a stroke forgets its length, and new ids are never those of others") {

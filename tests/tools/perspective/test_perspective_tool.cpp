@@ -174,9 +174,9 @@ TEST_CASE("what isn't there or can't be is refused, and nothing changes") {
 TEST_CASE("every step reads back as it was written") {
   StrokeSetting setting;
   setting.group = StrokeGroup::NormalZ;
-  setting.hidden = true;
-  setting.end_lock = EndLock::Corner;
-  setting.weight = 0.25;
+  setting.set(&PerspectiveStroke::hidden, true);
+  setting.set(&PerspectiveStroke::end_lock, EndLock::Corner);
+  setting.set(&PerspectiveStroke::weight, 0.25);
   const std::vector<recorded::Step> steps = {
       recorded::SheetStroke{{{1, 2}, {3.5, 4.25}}, StrokeGroup::ParallelY, StrokeRole::Construction, false, 0.5, {}},
       recorded::SheetStroke{{{1, 2}}, {}, StrokeRole::Edge, true, 2, {}},

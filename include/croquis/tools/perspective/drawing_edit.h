@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "croquis/geometry/perspective_drawing.h"
@@ -110,13 +112,16 @@ void drag_point(PerspectiveDrawing& drawing, const std::string& id, std::size_t 
 struct StrokeSetting {
   std::optional<StrokeGroup> group;
   std::optional<StrokeRole> role;
-  std::optional<bool> hidden;
-  std::optional<bool> link;
-  std::optional<EndLock> start_lock;
-  std::optional<EndLock> end_lock;
-  std::optional<double> weight;
+  std::map<std::string, std::variant<std::string, bool, EndLock, double>> fields;  ///< by the name in stroke_fields
 
-  bool any() const { return group || role || hidden || link || start_lock || end_lock || weight; }
+  template <typename T>
+  void set(T PerspectiveStroke::*member, const T& value) {
+    for (const StrokeField& field : stroke_fields) {
+      if (field.member == decltype(field.member)(member)) fields[field.name] = value;
+    }
+  }
+
+  bool any() const { return group || role || !fields.empty(); }
   friend bool operator==(const StrokeSetting&, const StrokeSetting&) = default;
 };
 

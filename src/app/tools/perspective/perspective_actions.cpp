@@ -83,14 +83,14 @@ void choose_role(Sheet& sheet, StrokeRole role) {
 void hide_or_show(Sheet& sheet) {
   const PerspectiveStroke* first = first_selected(sheet);
   StrokeSetting setting;
-  setting.hidden = first == nullptr || !first->hidden;
+  setting.set(&PerspectiveStroke::hidden, first == nullptr || !first->hidden);
   set_selected(sheet, setting);
 }
 
 void tie_or_untie(Sheet& sheet) {
   const PerspectiveStroke* first = first_selected(sheet);
   StrokeSetting setting;
-  setting.link = first == nullptr || !first->link;
+  setting.set(&PerspectiveStroke::link, first == nullptr || !first->link);
   setting.role = StrokeRole::Construction;
   set_selected(sheet, setting);
 }
@@ -98,7 +98,8 @@ void tie_or_untie(Sheet& sheet) {
 template <EndLock Lock>
 void lock_ends(Sheet& sheet) {
   StrokeSetting setting;
-  setting.start_lock = setting.end_lock = Lock;
+  setting.set(&PerspectiveStroke::start_lock, Lock);
+  setting.set(&PerspectiveStroke::end_lock, Lock);
   set_selected(sheet, setting);
 }
 
