@@ -64,33 +64,59 @@ std::size_t bytes_beside(const KeptComponents& kept, const KeptComponents& neigh
   return kept.selection == neighbour.selection ? 0 : kept.selection->elements.size() * sizeof(Index);
 }
 
+std::size_t bytes_of(const auto& steps) {
+  std::size_t bytes = 0;
+  for (const auto& step : steps) bytes += step.bytes;
+  return bytes;
+}
+
 std::vector<std::string> labels(const auto& steps) {
   std::vector<std::string> texts;
   for (const auto& step : steps) texts.push_back(step.label);
   return texts;
 }
 
+auto labelled(auto step, std::string label) {
+  step.label = std::move(label);
+  return step;
+}
+
+/// Keeps a step to come back to, with what it costs beside the current one.
+void keep(auto step, auto& steps, const auto& now) {
+  step.bytes = bytes_beside(step.document, now.document) + bytes_beside(step.components, now.components);
+  steps.push_back(std::move(step));
+}
+
+void forget_beyond(std::size_t byte_cap, auto& undo, auto& redo) {
+  std::size_t bytes = bytes_of(undo) + bytes_of(redo);
+  while (bytes > byte_cap && undo.size() + redo.size() > 1) {
+    auto& steps = undo.empty() ? redo : undo;
+    bytes -= steps.front().bytes;
+    steps.pop_front();
+  }
+}
+
+/// Components that are selected now, in the document as it is.
+KeptComponents selected_now(ComponentSelection components, const Document& document, const MeshFinder& find) {
+  const KeptComponents now{std::make_shared<const ComponentSelection>(std::move(components)), 0, 0};
+  return existing_components(now, document, true, find);
+}
+
 }  // namespace
 
-Session::Session(Document initial, std::size_t byte_cap) : document_(std::move(initial)), byte_cap_(byte_cap) {}
-
-Session::Step Session::step_of_now(std::string label) const {
-  return {std::move(label), document_, selection_, components_, state_, 0};
+Session::Session(Document initial, std::size_t byte_cap, MeshFinder find)
+    : find_mesh_(std::move(find)), byte_cap_(byte_cap) {
+  now_.document = std::move(initial);
 }
 
-void Session::show(Document document, std::uint64_t state) {
+void Session::show(Step step) {
   // Ids that an undone step gave away stay used: code that remembers one must not take a new node for it.
-  const NodeId next_id = std::max(document_.next_id(), document.next_id());
-  document_ = document.next_id() == next_id ? std::move(document) : Document::of(document.nodes(), next_id);
-  state_ = state;
-  selection_ = existing(std::move(selection_), document_);
-  components_ = existing_components(std::move(components_), document_, false, find_mesh_);
+  const NodeId next_id = std::max(now_.document.next_id(), step.document.next_id());
+  now_ = std::move(step);
+  if (now_.document.next_id() != next_id) now_.document = Document::of(now_.document.nodes(), next_id);
+  now_.selection = existing(std::move(now_.selection), now_.document);
+  now_.components = existing_components(std::move(now_.components), now_.document, false, find_mesh_);
   ++revision_;
-}
-
-void Session::take_components(ComponentSelection components) {
-  components_.selection = std::make_shared<const ComponentSelection>(std::move(components));
-  components_ = existing_components(std::move(components_), document_, true, find_mesh_);
 }
 
 void Session::report_change() {
@@ -101,41 +127,30 @@ void Session::report_change() {
   }
 }
 
-void Session::add_undo(Step step) {
-  step.bytes = bytes_beside(step.document, document_) + bytes_beside(step.components, components_);
-  undo_.push_back(std::move(step));
+void Session::edit(std::string label, Document edited, std::optional<ComponentSelection> components) {
+  end_drag();
+  if (same_content(now_.document, edited)) {
+    if (components) select_components(std::move(*components));
+    return;
+  }
+  Step before = labelled(now_, std::move(label));
+  show({{}, std::move(edited), now_.selection, now_.components, ++last_state_});
+  if (components) now_.components = selected_now(std::move(*components), now_.document, find_mesh_);
   redo_.clear();
-  forget_beyond_cap();
-}
-
-void Session::edit(std::string label, Document edited) {
-  end_drag();
-  if (same_content(document_, edited)) return;
-  Step before = step_of_now(std::move(label));
-  show(std::move(edited), ++last_state_);
-  add_undo(std::move(before));
-  report_change();
-}
-
-void Session::edit(std::string label, Document edited, ComponentSelection components) {
-  end_drag();
-  if (same_content(document_, edited)) return select_components(std::move(components));
-  Step before = step_of_now(std::move(label));
-  show(std::move(edited), ++last_state_);
-  take_components(std::move(components));
-  add_undo(std::move(before));
+  keep(std::move(before), undo_, now_);
+  forget_beyond(byte_cap_, undo_, redo_);
   report_change();
 }
 
 void Session::begin_drag(std::string label) {
   end_drag();
-  drag_ = step_of_now(std::move(label));
+  drag_ = labelled(now_, std::move(label));
 }
 
 void Session::drag(Document edited) {
   if (!drag_) throw Error(make_error(Category::Internal, "E_INTERNAL", "A drag goes on that was never begun."));
-  if (edited.nodes() == document_.nodes()) return;
-  show(std::move(edited), ++last_state_);
+  if (edited.nodes() == now_.document.nodes()) return;
+  show({{}, std::move(edited), now_.selection, now_.components, ++last_state_});
   report_change();
 }
 
@@ -143,21 +158,19 @@ void Session::end_drag() {
   if (!drag_) return;
   Step before = std::move(*drag_);
   drag_.reset();
-  if (same_content(before.document, document_)) {
-    state_ = before.state;
+  if (same_content(before.document, now_.document)) {
+    now_.state = before.state;
   } else {
-    add_undo(std::move(before));
+    redo_.clear();
+    keep(std::move(before), undo_, now_);
+    forget_beyond(byte_cap_, undo_, redo_);
   }
   report_change();
 }
 
 void Session::cancel_drag() {
   if (!drag_) return;
-  Step before = std::move(*drag_);
-  drag_.reset();
-  selection_ = std::move(before.selection);
-  components_ = std::move(before.components);
-  show(std::move(before.document), before.state);
+  show(*std::exchange(drag_, std::nullopt));
   report_change();
 }
 
@@ -165,13 +178,10 @@ void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
   if (from.empty()) return;
   Step step = std::move(from.back());
   from.pop_back();
-  Step now = step_of_now(std::move(step.label));
-  selection_ = std::move(step.selection);
-  components_ = std::move(step.components);
-  show(std::move(step.document), step.state);
-  now.bytes = bytes_beside(now.document, document_) + bytes_beside(now.components, components_);
-  to.push_back(std::move(now));
-  forget_beyond_cap();
+  Step now = labelled(now_, step.label);
+  show(std::move(step));
+  keep(std::move(now), to, now_);
+  forget_beyond(byte_cap_, undo_, redo_);
   report_change();
 }
 
@@ -193,35 +203,21 @@ std::vector<std::string> Session::redo_labels() const {
   return texts;
 }
 
-std::size_t Session::history_bytes() const {
-  std::size_t bytes = 0;
-  for (const Step& step : undo_) bytes += step.bytes;
-  for (const Step& step : redo_) bytes += step.bytes;
-  return bytes;
-}
-
-void Session::forget_beyond_cap() {
-  std::size_t bytes = history_bytes();
-  while (bytes > byte_cap_ && undo_.size() + redo_.size() > 1) {
-    std::deque<Step>& steps = undo_.empty() ? redo_ : undo_;
-    bytes -= steps.front().bytes;
-    steps.pop_front();
-  }
-}
+std::size_t Session::history_bytes() const { return bytes_of(undo_) + bytes_of(redo_); }
 
 void Session::select(Selection selection) {
-  selection = existing(std::move(selection), document_);
-  if (selection == selection_) return;
-  selection_ = std::move(selection);
+  selection = existing(std::move(selection), now_.document);
+  if (selection == now_.selection) return;
+  now_.selection = std::move(selection);
   ++revision_;
   report_change();
 }
 
 void Session::select_components(ComponentSelection components) {
-  const auto before = components_.selection;
-  take_components(std::move(components));
-  if (*components_.selection == *before) {
-    components_.selection = before;
+  const auto before = now_.components.selection;
+  now_.components = selected_now(std::move(components), now_.document, find_mesh_);
+  if (*now_.components.selection == *before) {
+    now_.components.selection = before;
     return;
   }
   ++revision_;
@@ -229,16 +225,16 @@ void Session::select_components(ComponentSelection components) {
 }
 
 void Session::check_components() {
-  const auto before = components_.selection;
-  components_ = existing_components(std::move(components_), document_, false, find_mesh_);
-  if (components_.selection == before) return;
+  const auto before = now_.components.selection;
+  now_.components = existing_components(std::move(now_.components), now_.document, false, find_mesh_);
+  if (now_.components.selection == before) return;
   ++revision_;
   report_change();
 }
 
 void Session::mark_saved() {
   if (!modified()) return;
-  saved_state_ = state_;
+  saved_state_ = now_.state;
   report_change();
 }
 
@@ -246,17 +242,16 @@ void Session::load(Document document, bool modified, std::vector<PastDocument> p
   drag_.reset();
   undo_.clear();
   redo_.clear();
-  selection_.clear();
-  components_ = {std::make_shared<const ComponentSelection>(), 0, 0};
-  document_ = std::move(document);
-  state_ = ++last_state_;
-  saved_state_ = modified ? ++last_state_ : state_;
+  now_ = Step();
+  now_.document = std::move(document);
+  now_.state = ++last_state_;
+  saved_state_ = modified ? ++last_state_ : now_.state;
   for (std::size_t i = 0; i < past.size(); ++i) {
-    const Document& next = i + 1 < past.size() ? past[i + 1].document : document_;
+    const Document& next = i + 1 < past.size() ? past[i + 1].document : now_.document;
     const std::size_t bytes = bytes_beside(past[i].document, next);
-    undo_.push_back({std::move(past[i].label), past[i].document, {}, components_, ++last_state_, bytes});
+    undo_.push_back({std::move(past[i].label), past[i].document, {}, now_.components, ++last_state_, bytes});
   }
-  forget_beyond_cap();
+  forget_beyond(byte_cap_, undo_, redo_);
   ++revision_;
   report_change();
 }

@@ -34,6 +34,12 @@ std::shared_ptr<const PolyMesh> final_mesh(const Workspace& workspace, const Doc
   return is_final ? mesh_of(*kept, *operation) : nullptr;
 }
 
+void compute(Workspace& workspace, const Document& document, NodeId id) {
+  Progress progress;
+  const auto evaluation = workspace.evaluator().evaluate(document, id, Quality::Final, progress);
+  if (evaluation->failed) throw Error(evaluation->findings);
+}
+
 Value value_along(const Workspace& workspace, const WorkObject& object, ValueType type) {
   Affine3 later = object.placement.map();
   for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {

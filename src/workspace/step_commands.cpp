@@ -59,7 +59,7 @@ void apply_edits_again(Workspace& workspace, NodeId step, const std::string& lin
   node.parameters[names.connectivity] = connectivity_name(*input);
   const std::string label = "Apply " + title_of(workspace, node) + " to the new mesh";
   Document document = workspace.session().document().with(std::move(node));
-  workspace.compute_mesh(document, step);
+  compute(workspace, document, step);
   edit_chain(workspace, label, std::move(document), step);
 }
 

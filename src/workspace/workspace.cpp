@@ -50,13 +50,24 @@ void fill_cage(WorkObject& object, const Workspace& workspace) {
   object.quality = Quality::Final;
 }
 
+/// The meshes that steps of edits fit now, which they edited last when they don't fit any more.
+void note_edited_inputs(std::map<NodeId, std::shared_ptr<const PolyMesh>>& noted, const Workspace& workspace) {
+  const Document& document = workspace.session().document();
+  for (const auto& node : document.nodes()) {
+    if (!edits_input(*node, workspace.registry()) || !final_mesh(workspace, document, node->id)) continue;
+    const Node* before = step_before(document, workspace.registry(), *node);
+    if (before != nullptr) noted[node->id] = final_mesh(workspace, document, before->id);
+  }
+}
+
 }  // namespace
 
 Workspace::Workspace(Registry registry, LiveEvaluation::Post post, Listener listener)
     : registry_(std::move(registry)),
       evaluator_(registry_, memory_cap),
       listener_(std::move(listener)),
-      session_(Document(), history_cap),
+      session_(Document(), history_cap,
+               [this](const Document& document, NodeId node) { return final_mesh(*this, document, node); }),
       live_(evaluator_, std::move(post),
             {[this] {
                session_.check_components();
@@ -64,8 +75,6 @@ Workspace::Workspace(Registry registry, LiveEvaluation::Post post, Listener list
                report(listener_.result_changed);
              },
              listener_.progress, listener_.busy_changed}) {
-  session_.find_meshes_with(
-      [this](const Document& document, NodeId node) { return final_mesh(*this, document, node); });
   session_.on_change([this] { follow_session(); });
 }
 
@@ -103,10 +112,7 @@ void Workspace::set_parameter(NodeId id, const std::string& name, const Paramete
   if (dragging && !dragging_parameter_) session_.begin_drag(step);
   const bool in_drag = dragging || dragging_parameter_;
   dragging_parameter_ = dragging;
-  if (!in_drag) {
-    session_.edit(std::move(step), std::move(document));
-    return;
-  }
+  if (!in_drag) return session_.edit(std::move(step), std::move(document));
   session_.drag(std::move(document));
   if (!dragging) session_.end_drag();
 }
@@ -134,9 +140,9 @@ const WorkObject* Workspace::active() const {
 BoundingBox Workspace::own_bounds(const WorkObject& object) const {
   const auto& mesh = object.shown();
   if (!mesh) return std::nullopt;
-  Measured& measured = measured_[object.node];
-  if (measured.mesh.lock() != mesh) measured = {mesh, bounds_of(*mesh)};
-  return measured.box;
+  auto& measured = measured_[object.node];
+  if (measured.first.lock() != mesh) measured = {mesh, bounds_of(*mesh)};
+  return measured.second;
 }
 
 void Workspace::isolate(const std::vector<NodeId>& objects) {
@@ -174,14 +180,6 @@ std::shared_ptr<const Evaluation> Workspace::result(NodeId node) const {
   return kept ? kept : newest;
 }
 
-std::shared_ptr<const PolyMesh> Workspace::compute_mesh(const Document& document, NodeId id) {
-  Progress progress;
-  const auto evaluation = evaluator_.evaluate(document, id, Quality::Final, progress);
-  if (evaluation->failed) throw Error(evaluation->findings);
-  const OperationDescription* operation = operation_of(*document.find(id), registry_);
-  return operation == nullptr ? mesh_in(*document.find(id)) : mesh_of(*evaluation, *operation);
-}
-
 std::shared_ptr<const PolyMesh> Workspace::edited_input(NodeId step) const {
   const auto noted = edited_inputs_.find(step);
   return noted == edited_inputs_.end() ? nullptr : noted->second;
@@ -209,17 +207,8 @@ void Workspace::list_objects() {
   const bool lost = live_.follow(document, evaluated, empty);
   for (WorkObject& object : objects_) take_live_result(object, *this, live_.find(object.node));
   for (WorkObject& object : objects_) fill_cage(object, *this);
-  note_edited_inputs();
+  note_edited_inputs(edited_inputs_, *this);
   if (lost) report(listener_.result_changed);
-}
-
-void Workspace::note_edited_inputs() {
-  const Document& document = session_.document();
-  for (const auto& node : document.nodes()) {
-    if (!edits_input(*node, registry_) || !final_mesh(*this, document, node->id)) continue;
-    const Node* before = step_before(document, registry_, *node);
-    if (before != nullptr) edited_inputs_[node->id] = final_mesh(*this, document, before->id);
-  }
 }
 
 void Workspace::follow_session() {

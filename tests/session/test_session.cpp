@@ -339,7 +339,7 @@ TEST_CASE("selected components are part of undo steps, and cost nothing while th
   session.edit("grow", session.document().with(larger));
   CHECK(session.shared_components() == before);
   larger.source = mesh(3);
-  session.edit("grow again", session.document().with(larger), {1, ComponentKind::Vertex, {7}});
+  session.edit("grow again", session.document().with(larger), ComponentSelection{1, ComponentKind::Vertex, {7}});
   CHECK(changes == 3);
   CHECK(session.components() == ComponentSelection{1, ComponentKind::Vertex, {7}});
   session.undo();

@@ -24,21 +24,20 @@ namespace croquis {
 class Session {
  public:
   /// @param byte_cap of what the history keeps beside the current document
-  explicit Session(Document initial = {}, std::size_t byte_cap = std::size_t{1} << 30);
+  /// @param find     meshes of operations, so that their elements can be selected, too
+  explicit Session(Document initial = {}, std::size_t byte_cap = std::size_t{1} << 30, MeshFinder find = {});
 
-  const Document& document() const { return document_; }
+  const Document& document() const { return now_.document; }
 
   /// Each document of the history has its own number, which undo and redo bring back.
-  std::uint64_t state() const { return state_; }
+  std::uint64_t state() const { return now_.state; }
 
   /// Grows with every change of document or selection.
   std::uint64_t revision() const { return revision_; }
 
-  /// Makes it the document, with one undo step. Nothing happens when its content is that of the current one.
-  void edit(std::string label, Document edited);
-
-  /// The same, and selects these parts of a mesh in the edited document: one change for all who listen.
-  void edit(std::string label, Document edited, ComponentSelection components);
+  /// Makes it the document, with one undo step. The document stays when its content is that of the current one.
+  /// @param components of a mesh in the edited document, that are selected with the same step; none: as before
+  void edit(std::string label, Document edited, std::optional<ComponentSelection> components = std::nullopt);
 
   /// Between begin_drag and end_drag, many changes are one step; cancel_drag goes back to the beginning. Whatever else
   /// edits, undoes or redoes ends a drag first. A drag that changed nothing is no step.
@@ -55,22 +54,20 @@ class Session {
   std::vector<std::string> undo_labels() const;  ///< oldest first: the last one is undone next
   std::vector<std::string> redo_labels() const;  ///< the first one is redone next
 
-  const Selection& selection() const { return selection_; }
+  const Selection& selection() const { return now_.selection; }
   void select(Selection selection);  ///< what isn't there falls out, now and with later changes
 
   /// Selected vertices, edges or faces of one mesh; part of undo steps like the selection of nodes. What the mesh
   /// doesn't have falls out, now and with later changes.
-  const ComponentSelection& components() const { return *components_.selection; }
-  std::shared_ptr<const ComponentSelection> shared_components() const { return components_.selection; }
+  const ComponentSelection& components() const { return *now_.components.selection; }
+  std::shared_ptr<const ComponentSelection> shared_components() const { return now_.components.selection; }
   void select_components(ComponentSelection components);
 
-  /// How meshes of operations are found, so that their elements can be selected, too.
-  void find_meshes_with(MeshFinder find) { find_mesh_ = std::move(find); }
   /// Computed meshes are there now that may be others than before: what they don't have falls out.
   void check_components();
 
   /// Whether the document isn't the one last saved or loaded; right across undo and redo.
-  bool modified() const { return state_ != saved_state_; }
+  bool modified() const { return now_.state != saved_state_; }
   void mark_saved();
 
   /// Another document, without selection.
@@ -94,29 +91,22 @@ class Session {
     std::string label;
     Document document;
     Selection selection;
-    KeptComponents components;
+    KeptComponents components{std::make_shared<const ComponentSelection>(), 0, 0};
     std::uint64_t state = 0;
     std::size_t bytes = 0;  ///< what it keeps alive beside its neighbour towards the current document
   };
 
-  Step step_of_now(std::string label) const;
-  void add_undo(Step step);
   void travel(std::deque<Step>& from, std::deque<Step>& to);
-  void show(Document document, std::uint64_t state);
-  void take_components(ComponentSelection components);
-  void forget_beyond_cap();
+  void show(Step step);
   void report_change();
 
-  Document document_;
-  Selection selection_;
-  KeptComponents components_{std::make_shared<const ComponentSelection>(), 0, 0};
+  Step now_;               ///< its label has no meaning
   std::deque<Step> undo_;  ///< next one last
   std::deque<Step> redo_;  ///< next one last
   std::optional<Step> drag_;
   MeshFinder find_mesh_;
   std::size_t byte_cap_;
   std::uint64_t revision_ = 0;
-  std::uint64_t state_ = 0;
   std::uint64_t saved_state_ = 0;
   std::uint64_t last_state_ = 0;
   std::vector<std::function<void()>> listeners_;

@@ -21,6 +21,11 @@ std::shared_ptr<const PolyMesh> mesh_at(const Workspace& workspace, NodeId node)
 /// The mesh that a node of some document holds or gives, when it is computed to the end; never an older one. Or null.
 std::shared_ptr<const PolyMesh> final_mesh(const Workspace& workspace, const Document& document, NodeId node);
 
+/// Computes a node of some document now: for a step that is about to be added after what is computed already, as one
+/// more edit, so that everybody finds its result.
+/// @throws Error what is wrong with the step
+void compute(Workspace& workspace, const Document& document, NodeId node);
+
 /// A value of a type that the object's chain gives on its way, nearest to its end, moved with the steps after it and
 /// placed as the object is:
 /// the camera of a drawing in perspective, say. Without content where there is none, or where what gives it isn't

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "croquis/document/evaluator.h"
@@ -52,6 +53,7 @@ class Workspace {
   }
 
   /// What is computed and kept, of documents beside the session's, too.
+  Evaluator& evaluator() { return evaluator_; }
   const Evaluator& evaluator() const { return evaluator_; }
 
   /// In the document's order, hidden ones too.
@@ -81,11 +83,6 @@ class Workspace {
   /// The newest result of a node that is kept evaluated: stale while the next one is computed, null before the first
   /// one. Nodes in chains are found, too, once they are computed.
   std::shared_ptr<const Evaluation> result(NodeId node) const;
-
-  /// The mesh that a node of some document gives, computed now if needed: for a step that is about to be added after
-  /// what is computed already, as one more edit, so that everybody finds it.
-  /// @throws Error what is wrong with the step
-  std::shared_ptr<const PolyMesh> compute_mesh(const Document& document, NodeId node);
 
   /// Some newest result isn't final, or doesn't belong to the document as it is now.
   bool busy() const { return live_.busy(); }
@@ -118,7 +115,6 @@ class Workspace {
   void follow_session();
   void list_objects();
   void list_again();
-  void note_edited_inputs();
 
   Registry registry_;
   Evaluator evaluator_;
@@ -127,11 +123,7 @@ class Workspace {
   std::vector<WorkObject> objects_;
   std::map<NodeId, ChainView> views_;
   std::set<NodeId> isolated_;
-  struct Measured {
-    std::weak_ptr<const PolyMesh> mesh;
-    BoundingBox box;
-  };
-  mutable std::map<NodeId, Measured> measured_;  ///< by the object's node
+  mutable std::map<NodeId, std::pair<std::weak_ptr<const PolyMesh>, BoundingBox>> measured_;  ///< by the object's node
   NodeId active_ = 0;
   bool edits_elements_ = false;
   std::map<NodeId, std::shared_ptr<const PolyMesh>> edited_inputs_;  ///< see edited_input

@@ -43,12 +43,6 @@ std::string listed(const std::array<const char*, N>& words) {
   return all;
 }
 
-/// The number of an element that has that id in a list; no_index where there is none.
-Index number_of_element(const std::map<std::string, Index>& known, const std::string& id) {
-  const auto found = known.find(id);
-  return found == known.end() ? no_index : found->second;
-}
-
 /// What no network can hold, as findings about the file.
 Findings faults_of(const AttributeNetwork& network, const std::string& file) {
   Findings faults = validate(network);
@@ -180,11 +174,10 @@ class AttributeNetworkReader : ReportNotes {
 
   /// The element that a member names; no_index with an error where it isn't there.
   Index find(const std::map<std::string, Index>& known, const std::string& id, const char* code, const char* kind) {
-    const Index element = number_of_element(known, id);
-    if (element == no_index)
-      refuse(code,
-             std::string("it refers to ") + kind + " \"" + id + "\", which isn't there: add it or correct the name");
-    return element;
+    if (const auto found = known.find(id); found != known.end()) return found->second;
+    refuse(code,
+           std::string("it refers to ") + kind + " \"" + id + "\", which isn't there: add it or correct the name");
+    return no_index;
   }
 
   Index read_reference(const Report& report, const char* key, const std::map<std::string, Index>& known,

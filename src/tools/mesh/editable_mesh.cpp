@@ -94,7 +94,7 @@ AddedNode EditableMesh::with_lines(const Document& document, const std::vector<E
     throw Error(make_error(Category::Usage, "E_STEP", "The mesh can't be edited before it is computed"));
   }
   AddedNode edited = with_edit_lines(document, workspace_->registry(), node_, *before, lines);
-  workspace_->compute_mesh(edited.document, edited.node);
+  compute(*workspace_, edited.document, edited.node);
   return edited;
 }
 

@@ -140,10 +140,10 @@ Verdict MeshEditor::commit(const EditLine& line, const std::string& label, MeshE
     keep_selection(label, std::move(result));
   } else if (after == SelectAfter::Results && !edit.moved_faces.empty() && selector_.mode() == MeshMode::Face) {
     editable_.go_on_with(node);
-    session.edit(label, std::move(result.document), {node, ComponentKind::Face, edit.moved_faces});
+    session.edit(label, std::move(result.document), ComponentSelection{node, ComponentKind::Face, edit.moved_faces});
   } else {
     editable_.go_on_with(node);
-    session.edit(label, std::move(result.document), {});
+    session.edit(label, std::move(result.document), ComponentSelection{});
     if (after == SelectAfter::Results) select_results(line.target, edit, *topology);
   }
   return session.revision() == before ? Verdict::Continue : Verdict::Commit;
