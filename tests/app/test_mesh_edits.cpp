@@ -115,7 +115,7 @@ TEST_CASE("faces of a sketch's solid are picked and extruded, and undo gives the
   CHECK(hand.studio().active()->mesh->face_count() > faces);
   CHECK(hand.studio().solid()->face_count() == faces);
   CHECK(hand.studio().session().components().elements.size() == 1);
-  hand.mesh().act([](MeshTool& tool) { return tool.edits().move_selected({0, 0, 0.5}); });
+  hand.mesh().act([](MeshTool& tool) { return tool.take(recorded::Move{.by = {0, 0, 0.5}}); });
   hand.settle();
   CHECK(hand.studio().session().document().nodes().size() == 3);
 

@@ -233,7 +233,7 @@ TEST_CASE("pulling, extruding and undoing leave every view as it is", "[mesh-han
   REQUIRE(hand.studio().session().components().elements.size() == 1);
   MeshTool& tool = hand.mesh().tool();
   for (const Vec3& by : {Vec3(0, 0, 30), Vec3(0, 0, -29.9), Vec3(200, 0, 0)}) {
-    hand.mesh().act([&](MeshTool& t) { return t.edits().move_selected(by); });
+    hand.mesh().act([&](MeshTool& t) { return t.take(recorded::Move{.by = by}); });
     hand.settle();
     CHECK(looks(hand) == before);
   }

@@ -87,7 +87,7 @@ TEST_CASE("edits are listed in words, and nothing else of them is shown", "[word
   hand.settle();
   hand.act("face-mode");
   hand.mesh().act([](MeshTool& tool) { return tool.selection().pick(ComponentKind::Face, {10, 11}); });
-  hand.mesh().act([](MeshTool& tool) { return tool.edits().move_selected({0, 0, 5}); });
+  hand.mesh().act([](MeshTool& tool) { return tool.take(recorded::Move{.by = {0, 0, 5}}); });
   hand.settle();
   const auto* lines = hand.window().findChild<QListWidget*>("edit-lines");
   REQUIRE(lines != nullptr);

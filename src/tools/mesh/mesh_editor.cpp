@@ -8,6 +8,7 @@
 
 #include "croquis/base/error.h"
 #include "croquis/edits/apply_edits.h"
+#include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis {
@@ -23,6 +24,10 @@ EditLine edit_of(std::string edit, ComponentKind kind, Elements elements, Parame
   return line;
 }
 
+[[noreturn]] void refuse_step(const std::string& sentence) {
+  throw Error(make_error(Category::Usage, "E_INPUT", sentence));
+}
+
 constexpr double greatest_rotation = 3600;  // degrees that the edit takes
 
 bool same_mesh(const PolyMesh& a, const PolyMesh& b) {
@@ -33,6 +38,163 @@ bool same_mesh(const PolyMesh& a, const PolyMesh& b) {
 std::string vector_text(const Vec3& vector) {
   return to_text(ParameterValue(vector.x())) + ',' + to_text(ParameterValue(vector.y())) + ',' +
          to_text(ParameterValue(vector.z()));
+}
+
+EditLine line_of_selected(const MeshSelector& selector, const std::string& edit, ParameterValues parameters) {
+  const bool whole = selector.mode() == MeshMode::Object;
+  EditLine line =
+      edit_of(edit, whole ? ComponentKind::Vertex : selector.kind(), selector.selected(), std::move(parameters));
+  line.target.all = whole;
+  return line;
+}
+
+// ---- What steps come to
+
+struct Command {
+  recorded::Step step;               ///< as it is recorded
+  std::string label;                 ///< of the undo step
+  std::vector<EditLine> lines = {};  ///< one, or with tags any number
+  SelectAfter after = SelectAfter::AsBefore;
+  std::optional<MeshTags> tags = {};  ///< what a source gets instead; without lines, no computed mesh can have them
+};
+
+std::optional<Command> transform(recorded::Step step, const std::string& verb, MeshSelector& selector) {
+  if (selector.selected_vertices().empty()) return std::nullopt;
+  const std::string label = selector.counted(verb, selector.kind(), selector.selected().size());
+  const EditLine line = transform_line(selector, step);
+  return Command{std::move(step), label, {line}};
+}
+
+std::optional<Command> turn_or_scale(const recorded::Step& step, EditableMesh& editable, MeshSelector& selector) {
+  if (editable.prepared() == nullptr) return std::nullopt;
+  if (const auto* turn = step.as<recorded::Rotate>()) {
+    if (turn->axis.isZero(0)) return std::nullopt;
+    const Vec3 about = turn->pivot ? *turn->pivot : selector.middle();
+    return transform(recorded::Rotate{editable.node_name(), turn->axis, turn->degrees, about}, "Rotate", selector);
+  }
+  const auto& scale = *step.as<recorded::Scale>();
+  const Vec3 about = scale.pivot ? *scale.pivot : selector.middle();
+  return transform(recorded::Scale{editable.node_name(), scale.factors, about}, "Scale", selector);
+}
+
+std::optional<Command> deletion(const MeshSelector& selector) {
+  const Elements& chosen = selector.selected();
+  if (chosen.empty()) return std::nullopt;
+  const ComponentKind kind = selector.kind();
+  const bool faces = kind == ComponentKind::Face;
+  return Command{recorded::Action{"delete"},
+                 selector.counted(faces ? "Delete" : "Dissolve", kind, chosen.size()),
+                 {edit_of(faces ? "delete" : "dissolve", kind, chosen)},
+                 SelectAfter::Nothing};
+}
+
+std::optional<Command> extrusion(const Vec3& by, const std::string& node, const MeshSelector& selector) {
+  const Elements& faces = selector.selected();
+  if (selector.mode() != MeshMode::Face || faces.empty()) return std::nullopt;
+  return Command{recorded::Extrude{node, by},
+                 selector.counted("Extrude", ComponentKind::Face, faces.size()),
+                 {edit_of("extrude", ComponentKind::Face, faces, {{"by", vector_text(by)}})},
+                 SelectAfter::Results};
+}
+
+std::optional<Command> pinning(bool pinned, const std::string& node, MeshSelector& selector) {
+  if (selector.mode() == MeshMode::Object || selector.selected_vertices().empty()) return std::nullopt;
+  const Elements& vertices = selector.selected_vertices();
+  return Command{recorded::Pin{node, pinned},
+                 selector.counted(pinned ? "Pin" : "Unpin", ComponentKind::Vertex, vertices.size()),
+                 {edit_of("pin", ComponentKind::Vertex, vertices, {{"pinned", pinned}})}};
+}
+
+std::optional<Command> tagging(recorded::Tag step, EditableMesh& editable, MeshSelector& selector) {
+  const PreparedMesh* now = editable.prepared();
+  if (now == nullptr) refuse_step("\"" + step.node + "\" holds no mesh");
+  const MeshTopology& topology = *now->topology;
+  const MeshTags& tags = now->mesh->tags;
+  const bool is_selected = step.change || step.edges == "selected";
+  const Elements edges = is_selected                    ? selector.selected_edges()
+                         : step.edges == "boundary"     ? boundary_edges(topology)
+                         : step.edges == "sharper-than" ? edges_sharper_than(topology, *now->mesh, step.degrees)
+                                                        : tagged_edges(tags, topology);
+  if (edges.empty()) return std::nullopt;
+  step.node = editable.node_name();
+  if (step.change) {
+    Command command{step, selector.counted("Sharpen", ComponentKind::Edge, edges.size())};
+    command.tags = with_sharpness_changed(tags, topology, edges, *step.change);
+    if (!editable.is_computed()) return command;
+    command.lines = sharpening_lines(*now->mesh, topology, edges, *step.change);
+    return command.lines.empty() ? std::nullopt : std::optional(command);
+  }
+  if (!step.sharpness) step.sharpness = infinite_sharpness;
+  // The edit takes finite numbers; from the greatest on all are infinite.
+  const double value = std::clamp(*step.sharpness, 0.0, greatest_sharpness);
+  return Command{step,
+                 selector.counted(*step.sharpness > 0 ? "Sharpen" : "Smooth", ComponentKind::Edge, edges.size()),
+                 {edit_of("sharpness", ComponentKind::Edge, edges, {{"value", value}})}};
+}
+
+std::optional<Command> change_of_set(recorded::TagSet step, EditableMesh& editable, MeshSelector& selector) {
+  const PreparedMesh* now = editable.prepared();
+  if (now == nullptr) return std::nullopt;
+  const MeshTags& tags = now->mesh->tags;
+  const double sharpness = step.sharpness.value_or(infinite_sharpness);
+  const auto command = [&](const std::string& label, MeshTags changed) {
+    step.node = editable.node_name();
+    return Command{step, label, {}, SelectAfter::AsBefore, std::move(changed)};
+  };
+  const std::string& name = step.name;
+  if (step.how == "rename") return command("Rename the set " + name, with_set_renamed(tags, name, step.other));
+  if (step.how == "sharpness") return command("Sharpen the set " + name, with_set_sharpness(tags, name, sharpness));
+  if (step.how == "merge")
+    return command("Merge the sets " + name + " and " + step.other, with_sets_merged(tags, name, step.other));
+  if (step.how != "make") return command("Remove the set " + name, without_set(tags, name, step.how == "untag"));
+  if (selector.mode() == MeshMode::Object) return std::nullopt;
+  const bool pins = selector.mode() == MeshMode::Vertex;
+  const Elements vertices = pins ? selector.selected() : Elements{};
+  const Elements edges = pins ? Elements{} : selector.selected_edges();
+  step.sharpness = sharpness;
+  return command("Make the set " + name, with_set(tags, *now->topology, name, edges, vertices, sharpness));
+}
+
+/// Nothing when there is nothing to do.
+std::optional<Command> command_of(const recorded::Step& step, EditableMesh& editable, MeshSelector& selector) {
+  const std::string node = editable.node_name();
+  if (const auto* move = step.as<recorded::Move>()) return transform(recorded::Move{node, move->by}, "Move", selector);
+  if (step.as<recorded::Rotate>() || step.as<recorded::Scale>()) return turn_or_scale(step, editable, selector);
+  if (const auto* lift = step.as<recorded::Extrude>()) return extrusion(lift->by, node, selector);
+  if (const auto* tag = step.as<recorded::Tag>()) return tagging(*tag, editable, selector);
+  if (const auto* pin = step.as<recorded::Pin>()) return pinning(pin->pinned, node, selector);
+  if (const auto* set = step.as<recorded::TagSet>()) return change_of_set(*set, editable, selector);
+  if (const auto* cut = step.as<recorded::LoopCut>()) {
+    return Command{recorded::LoopCut{node, cut->edge, cut->at},
+                   "Cut a loop",
+                   {edit_of("loop-cut", ComponentKind::Edge, {cut->edge}, {{"at", std::clamp(cut->at, 0.0, 1.0)}})},
+                   SelectAfter::Results};
+  }
+  if (const auto* action = step.as<recorded::Action>(); action && action->name == "delete") return deletion(selector);
+  refuse_step("\"" + step.kind().verbs.front() + "\" is no step on a mesh");
+}
+
+Verdict take_pick(const recorded::Pick& step, EditableMesh& editable, MeshSelector& selector) {
+  const auto topology = editable.topology();
+  if (!topology) refuse_step("\"" + step.node + "\" holds no mesh");
+  const ComponentKind kind = kind_of_singular(step.kind).value_or(ComponentKind::Edge);
+  const std::size_t count = element_count(*topology, kind);
+  for (const Index element : step.elements) {
+    if (element >= count) refuse_step("The mesh has no " + step.kind + " " + std::to_string(element));
+  }
+  return selector.pick(kind, step.elements, pick_how(step.how));
+}
+
+/// The edges of a set, or its pins when it has none.
+Verdict select_set(recorded::TagSet step, EditableMesh& editable, MeshSelector& selector) {
+  const PreparedMesh* now = editable.prepared();
+  if (now == nullptr) return Verdict::Continue;
+  const CreaseSet* set = find_set(now->mesh->tags, step.name);
+  if (set == nullptr) refuse_step("There is no set \"" + step.name + "\"");
+  const bool pins = set->edges.empty();
+  step.node = editable.node_name();
+  return selector.choose(pins ? ComponentKind::Vertex : ComponentKind::Edge,
+                         pins ? set_vertices(*set, *now->topology) : set_edges(*set, *now->topology), step);
 }
 
 }  // namespace
@@ -92,8 +254,41 @@ Verdict MeshEditor::adjust(ParameterValues parameters) {
   return Verdict::Commit;
 }
 
-Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::optional<recorded::Step> step,
-                        SelectAfter after) {
+Verdict MeshEditor::take(const recorded::Step& step) {
+  if (const auto* pick = step.as<recorded::Pick>()) return take_pick(*pick, editable_, selector_);
+  if (const auto* set = step.as<recorded::TagSet>(); set && set->how == "select")
+    return select_set(*set, editable_, selector_);
+  if (const auto* edit = step.as<recorded::EditStep>()) {
+    if (!editable_.mesh()) refuse_step("\"" + edit->node + "\" holds no mesh");
+    if (!edit->again) return apply(edit->line);
+    const EditLine* now = last();
+    if (now == nullptr || now->edit != edit->line.edit || !(now->target == edit->line.target))
+      refuse_step("\"" + to_text(edit->line) + "\" isn't the last edit with other parameters");
+    return adjust(edit->line.parameters);
+  }
+  const std::optional<Command> command = command_of(step, editable_, selector_);
+  if (!command) return Verdict::Continue;
+  if (!command->tags) return run(command->lines.front(), command->label, command->step, command->after);
+  log_.begin();
+  const auto now = editable_.mesh();
+  if (!now || now->tags == *command->tags) return Verdict::Continue;
+  AddedNode edited{{}, editable_.node()};
+  if (!editable_.is_computed()) {
+    PolyMesh mesh = *now;
+    mesh.tags = *command->tags;
+    edited.document = editable_.with_mesh(std::move(mesh));
+  } else if (!command->lines.empty()) {
+    edited = editable_.with_lines(editable_.session().document(), command->lines);
+  } else {
+    refuse_step("Crease sets belong to meshes that aren't computed: freeze the step first");
+  }
+  log_.notes.clear();
+  keep_selection(command->label, std::move(edited));
+  log_.done = command->step;
+  return Verdict::Commit;
+}
+
+Verdict MeshEditor::run(const EditLine& line, const std::string& label, recorded::Step step, SelectAfter after) {
   log_.begin();
   const PreparedMesh* now = editable_.prepared();
   if (now == nullptr) return Verdict::Continue;
@@ -103,21 +298,6 @@ Verdict MeshEditor::run(const EditLine& line, const std::string& label, std::opt
   const Verdict verdict = commit(line, label, std::move(edit), after);
   if (verdict == Verdict::Commit) log_.done = std::move(step);
   return verdict;
-}
-
-Verdict MeshEditor::run_lines(const std::vector<EditLine>& lines, const std::string& label,
-                              std::optional<recorded::Step> step) {
-  log_.begin();
-  if (lines.empty() || !editable_.mesh()) return Verdict::Continue;
-  log_.notes.clear();
-  keep_selection(label, editable_.with_lines(editable_.session().document(), lines));
-  log_.done = std::move(step);
-  return Verdict::Commit;
-}
-
-AddedNode MeshEditor::edited(const EditLine& line, PolyMesh mesh) const {
-  if (editable_.is_computed()) return editable_.with_lines(editable_.session().document(), {line});
-  return {editable_.with_mesh(std::move(mesh)), editable_.node()};
 }
 
 /// What is selected is so in the edited mesh as well.
@@ -134,7 +314,8 @@ Verdict MeshEditor::commit(const EditLine& line, const std::string& label, MeshE
   Session& session = editable_.session();
   const std::uint64_t before = session.revision();
   const auto topology = editable_.topology();
-  AddedNode result = edited(line, std::move(edit.mesh));
+  AddedNode result = editable_.is_computed() ? editable_.with_lines(session.document(), {line})
+                                             : AddedNode{editable_.with_mesh(std::move(edit.mesh)), editable_.node()};
   const NodeId node = result.node;
   if (after == SelectAfter::AsBefore) {
     keep_selection(label, std::move(result));
@@ -168,80 +349,21 @@ void MeshEditor::select_results(const EditTarget& target, const MeshEdit& edit, 
   editable_.session().select_components(std::move(results));
 }
 
-// ---- Places
+// ---- Lines
 
-EditLine MeshEditor::line_of_selected(const std::string& edit, ParameterValues parameters) const {
-  const bool whole = selector_.mode() == MeshMode::Object;
-  EditLine line =
-      edit_of(edit, whole ? ComponentKind::Vertex : selector_.kind(), selector_.selected(), std::move(parameters));
-  line.target.all = whole;
-  return line;
-}
-
-EditLine MeshEditor::move_line(const Vec3& by) const { return line_of_selected("move", {{"by", vector_text(by)}}); }
-
-EditLine MeshEditor::rotate_line(const Vec3& axis, double degrees, const Vec3& about) const {
-  const double taken = std::abs(degrees) > greatest_rotation ? std::remainder(degrees, 360) : degrees;
-  return line_of_selected("rotate", {{"axis", vector_text(axis)}, {"degrees", taken}, {"about", vector_text(about)}});
-}
-
-EditLine MeshEditor::scale_line(const Vec3& factors, const Vec3& about) const {
-  return line_of_selected("scale", {{"factors", vector_text(factors)}, {"about", vector_text(about)}});
-}
-
-Verdict MeshEditor::transform(const EditLine& line, const std::string& verb, recorded::Step step) {
-  log_.begin();
-  if (selector_.selected_vertices().empty()) return Verdict::Continue;
-  const std::string label = selector_.counted(verb, selector_.kind(), selector_.selected().size());
-  return run(line, label, std::move(step), SelectAfter::AsBefore);
-}
-
-Verdict MeshEditor::move_selected(const Vec3& by) {
-  return transform(move_line(by), "Move", recorded::Move{editable_.node_name(), by});
-}
-
-Verdict MeshEditor::rotate_selected(const Vec3& axis, double degrees, std::optional<Vec3> pivot) {
-  if (editable_.prepared() == nullptr || axis.isZero(0)) return Verdict::Continue;
-  const Vec3 about = pivot ? *pivot : selector_.middle();
-  return transform(rotate_line(axis, degrees, about), "Rotate",
-                   recorded::Rotate{editable_.node_name(), axis, degrees, about});
-}
-
-Verdict MeshEditor::scale_selected(const Vec3& factors, std::optional<Vec3> pivot) {
-  if (editable_.prepared() == nullptr) return Verdict::Continue;
-  const Vec3 about = pivot ? *pivot : selector_.middle();
-  return transform(scale_line(factors, about), "Scale", recorded::Scale{editable_.node_name(), factors, about});
-}
-
-// ---- Connectivity
-
-Verdict MeshEditor::delete_selected() {
-  const Elements chosen = selector_.selected();
-  if (chosen.empty()) return Verdict::Continue;
-  const ComponentKind kind = selector_.kind();
-  const bool faces = kind == ComponentKind::Face;
-  const std::string label = selector_.counted(faces ? "Delete" : "Dissolve", kind, chosen.size());
-  const EditLine line = edit_of(faces ? "delete" : "dissolve", kind, chosen);
-  return run(line, label, recorded::Action{"delete"}, SelectAfter::Nothing);
-}
-
-Verdict MeshEditor::extrude(const Vec3& by) {
-  const Elements faces = selector_.selected();
-  if (selector_.mode() != MeshMode::Face || faces.empty()) return Verdict::Continue;
-  const std::string label = selector_.counted("Extrude", ComponentKind::Face, faces.size());
-  const EditLine line = edit_of("extrude", ComponentKind::Face, faces, {{"by", vector_text(by)}});
-  return run(line, label, recorded::Extrude{editable_.node_name(), by}, SelectAfter::Results);
-}
-
-Verdict MeshEditor::extrude_along_normal(double distance) {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr || selector_.mode() != MeshMode::Face) return Verdict::Continue;
-  return extrude(distance * mean_normal(*now->mesh, selector_.selected()));
-}
-
-Verdict MeshEditor::cut_loop(Index edge, double at) {
-  const EditLine line = edit_of("loop-cut", ComponentKind::Edge, {edge}, {{"at", std::clamp(at, 0.0, 1.0)}});
-  return run(line, "Cut a loop", recorded::LoopCut{editable_.node_name(), edge, at}, SelectAfter::Results);
+EditLine transform_line(const MeshSelector& selector, const recorded::Step& step) {
+  if (const auto* move = step.as<recorded::Move>())
+    return line_of_selected(selector, "move", {{"by", vector_text(move->by)}});
+  if (const auto* turn = step.as<recorded::Rotate>()) {
+    const bool is_far = std::abs(turn->degrees) > greatest_rotation;
+    const double taken = is_far ? std::remainder(turn->degrees, 360) : turn->degrees;
+    return line_of_selected(
+        selector, "rotate",
+        {{"axis", vector_text(turn->axis)}, {"degrees", taken}, {"about", vector_text(*turn->pivot)}});
+  }
+  const auto& scale = *step.as<recorded::Scale>();
+  return line_of_selected(selector, "scale",
+                          {{"factors", vector_text(scale.factors)}, {"about", vector_text(*scale.pivot)}});
 }
 
 std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology& topology, const Elements& edges,
@@ -257,131 +379,6 @@ std::vector<EditLine> sharpening_lines(const PolyMesh& mesh, const MeshTopology&
     lines.push_back(edit_of("sharpness", ComponentKind::Edge, std::move(own), {{"value", value}}));
   }
   return lines;
-}
-
-// ---- Sharpness and pins
-
-Verdict TagEditor::tag_these(const Elements& edges, double sharpness, std::optional<recorded::Step> step) {
-  if (edges.empty()) return Verdict::Continue;
-  const std::string label = selector_.counted(sharpness > 0 ? "Sharpen" : "Smooth", ComponentKind::Edge, edges.size());
-  // The edit takes finite numbers; from the greatest on all are infinite.
-  const double value = std::clamp(sharpness, 0.0, greatest_sharpness);
-  const EditLine line = edit_of("sharpness", ComponentKind::Edge, edges, {{"value", value}});
-  return editor_.run(line, label, std::move(step), SelectAfter::AsBefore);
-}
-
-Verdict TagEditor::tag(double sharpness) {
-  return tag_these(selector_.selected_edges(), sharpness,
-                   recorded::Tag{editable_.node_name(), "selected", 0, sharpness, std::nullopt});
-}
-
-Verdict TagEditor::tag_edges(const Elements& edges, double sharpness) {
-  return tag_these(edges, sharpness, std::nullopt);
-}
-
-Verdict TagEditor::tag_sharper_than(double degrees, double sharpness) {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr) return Verdict::Continue;
-  return tag_these(edges_sharper_than(*now->topology, *now->mesh, degrees), sharpness,
-                   recorded::Tag{editable_.node_name(), "sharper-than", degrees, sharpness, std::nullopt});
-}
-
-std::size_t TagEditor::count_sharper_than(double degrees) {
-  const PreparedMesh* now = editable_.prepared();
-  return now == nullptr ? 0 : edges_sharper_than(*now->topology, *now->mesh, degrees).size();
-}
-
-Verdict TagEditor::tag_boundary(double sharpness) {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr) return Verdict::Continue;
-  return tag_these(boundary_edges(*now->topology), sharpness,
-                   recorded::Tag{editable_.node_name(), "boundary", 0, sharpness, std::nullopt});
-}
-
-Verdict TagEditor::change_sharpness(double by) {
-  const PreparedMesh* now = editable_.prepared();
-  const Elements edges = selector_.selected_edges();
-  if (now == nullptr || edges.empty()) return Verdict::Continue;
-  const std::string label = selector_.counted("Sharpen", ComponentKind::Edge, edges.size());
-  recorded::Tag step{editable_.node_name(), "selected", 0, std::nullopt, by};
-  if (editable_.is_computed())
-    return editor_.run_lines(sharpening_lines(*now->mesh, *now->topology, edges, by), label, std::move(step));
-  return commit(label, with_sharpness_changed(now->mesh->tags, *now->topology, edges, by), std::move(step));
-}
-
-Verdict TagEditor::pin(bool pinned) {
-  if (selector_.mode() == MeshMode::Object || selector_.selected_vertices().empty()) return Verdict::Continue;
-  const Elements vertices = selector_.selected_vertices();
-  const std::string label = selector_.counted(pinned ? "Pin" : "Unpin", ComponentKind::Vertex, vertices.size());
-  const EditLine line = edit_of("pin", ComponentKind::Vertex, vertices, {{"pinned", pinned}});
-  return editor_.run(line, label, recorded::Pin{editable_.node_name(), pinned}, SelectAfter::AsBefore);
-}
-
-// ---- Sets
-
-Verdict TagEditor::commit(const std::string& label, MeshTags tags, recorded::Step step) {
-  log_.begin();
-  const auto now = editable_.mesh();
-  if (!now || now->tags == tags) return Verdict::Continue;
-  if (editable_.is_computed()) {
-    throw Error(make_error(Category::Usage, "E_INPUT",
-                           "Crease sets belong to meshes that aren't computed: freeze the step first"));
-  }
-  log_.notes.clear();
-  PolyMesh edited = *now;
-  edited.tags = std::move(tags);
-  editable_.session().edit(label, editable_.with_mesh(std::move(edited)));
-  log_.done = std::move(step);
-  return Verdict::Commit;
-}
-
-Verdict TagEditor::make_set(const std::string& name, double sharpness) {
-  const PreparedMesh* now = editable_.prepared();
-  const MeshMode mode = selector_.mode();
-  if (now == nullptr || mode == MeshMode::Object) return Verdict::Continue;
-  const Elements vertices = mode == MeshMode::Vertex ? selector_.selected() : Elements{};
-  const Elements edges = mode == MeshMode::Vertex ? Elements{} : selector_.selected_edges();
-  return commit("Make the set " + name, with_set(now->mesh->tags, *now->topology, name, edges, vertices, sharpness),
-                recorded::TagSet{editable_.node_name(), "make", name, "", sharpness});
-}
-
-Verdict TagEditor::rename_set(const std::string& name, const std::string& new_name) {
-  const auto now = editable_.mesh();
-  if (!now) return Verdict::Continue;
-  return commit("Rename the set " + name, with_set_renamed(now->tags, name, new_name),
-                recorded::TagSet{editable_.node_name(), "rename", name, new_name, std::nullopt});
-}
-
-Verdict TagEditor::set_set_sharpness(const std::string& name, double sharpness) {
-  const auto now = editable_.mesh();
-  if (!now) return Verdict::Continue;
-  return commit("Sharpen the set " + name, with_set_sharpness(now->tags, name, sharpness),
-                recorded::TagSet{editable_.node_name(), "sharpness", name, "", sharpness});
-}
-
-Verdict TagEditor::select_set(const std::string& name) {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr) return Verdict::Continue;
-  const CreaseSet* set = find_set(now->mesh->tags, name);
-  if (set == nullptr) throw Error(make_error(Category::Usage, "E_INPUT", "There is no set \"" + name + "\""));
-  const bool pins = set->edges.empty();
-  return selector_.choose(pins ? ComponentKind::Vertex : ComponentKind::Edge,
-                          pins ? set_vertices(*set, *now->topology) : set_edges(*set, *now->topology),
-                          recorded::TagSet{editable_.node_name(), "select", name, "", std::nullopt});
-}
-
-Verdict TagEditor::merge_sets(const std::string& into, const std::string& from) {
-  const auto now = editable_.mesh();
-  if (!now) return Verdict::Continue;
-  return commit("Merge the sets " + into + " and " + from, with_sets_merged(now->tags, into, from),
-                recorded::TagSet{editable_.node_name(), "merge", into, from, std::nullopt});
-}
-
-Verdict TagEditor::remove_set(const std::string& name, bool untag) {
-  const auto now = editable_.mesh();
-  if (!now) return Verdict::Continue;
-  return commit("Remove the set " + name, without_set(now->tags, name, untag),
-                recorded::TagSet{editable_.node_name(), untag ? "untag" : "remove", name, "", std::nullopt});
 }
 
 }  // namespace croquis

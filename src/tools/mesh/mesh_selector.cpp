@@ -263,10 +263,4 @@ Verdict MeshSelector::reselect(Reselect how) {
   return Verdict::Continue;
 }
 
-Verdict MeshSelector::select_sharper_than(double degrees) {
-  const PreparedMesh* now = editable_.prepared();
-  if (now == nullptr) return Verdict::Continue;
-  return choose_if_any(ComponentKind::Edge, edges_sharper_than(*now->topology, *now->mesh, degrees));
-}
-
 }  // namespace croquis

@@ -36,7 +36,7 @@ Registry with_copying() {
 struct Bench {
   test::MainLoop loop;
   Workspace workspace{with_copying(), loop.post(), {}};
-  MeshTool tool{workspace};
+  MeshTool tool{workspace.session(), &workspace};
   test::TestCamera camera;
   NodeId source = 0;
 
@@ -124,22 +124,22 @@ TEST_CASE("commands on what is selected in a computed mesh are lines, and the se
     MeshTool& tool = bench->tool;
     tool.selection().set_mode(MeshMode::Edge);
     tool.selection().pick(ComponentKind::Edge, {2, 6, 9});
-    CHECK(tool.edits().move_selected({0.1, 0, 0}) == Verdict::Commit);
+    CHECK(tool.take(recorded::Move{.by = {0.1, 0, 0}}) == Verdict::Commit);
     CHECK(tool.selection().selected() == Elements{2, 6, 9});
-    CHECK(tool.edits().rotate_selected({0, 1, 0}, 20) == Verdict::Commit);
-    CHECK(tool.edits().scale_selected({1, 2, 1}) == Verdict::Commit);
+    CHECK(tool.take(recorded::Rotate{.axis = {0, 1, 0}, .degrees = 20}) == Verdict::Commit);
+    CHECK(tool.take(recorded::Scale{.factors = {1, 2, 1}}) == Verdict::Commit);
     tool.selection().pick(ComponentKind::Edge, {2});
-    CHECK(tool.tags().tag(2) == Verdict::Commit);
+    CHECK(tool.take(recorded::Tag{.sharpness = 2}) == Verdict::Commit);
     tool.selection().pick(ComponentKind::Edge, {2, 6});
-    CHECK(tool.tags().change_sharpness(1.5) == Verdict::Commit);
-    CHECK(tool.tags().pin(true) == Verdict::Commit);
+    CHECK(tool.take(recorded::Tag{.change = 1.5}) == Verdict::Commit);
+    CHECK(tool.take(recorded::Pin{}) == Verdict::Commit);
     CHECK(tool.selection().selected() == Elements{2, 6});
   }
   CHECK(hash_of(computed.mesh()) == hash_of(held.mesh()));
   auto labels = computed.session().undo_labels();
   labels.erase(labels.begin());  // the step that copies
   CHECK(labels == held.session().undo_labels());
-  CHECK_THROWS_AS(computed.tool.tags().make_set("corners"), Error);
+  CHECK_THROWS_AS(computed.tool.take(recorded::TagSet{.name = "corners"}), Error);
 }
 
 TEST_CASE("a drag of the manipulator is one line of a computed mesh and one undo step") {
@@ -154,7 +154,7 @@ TEST_CASE("a drag of the manipulator is one line of a computed mesh and one undo
       bench->tool.selection().pick(ComponentKind::Face, {1});
       const std::size_t steps = bench->session().undo_labels().size();
       const auto frame = bench->camera.frame();
-      const ManipulatorPicture picture = bench->tool.manipulator_picture(frame);
+      const ManipulatorPicture picture = manipulator_picture(bench->tool, frame);
       REQUIRE(!picture.lines.empty());
       const auto& line = picture.lines.front().points;
       const auto from = frame.project(line[line.size() / 2]);
@@ -178,7 +178,7 @@ TEST_CASE("a drag that is given up leaves no step of edits") {
   bench.tool.selection().set_mode(MeshMode::Face);
   bench.tool.selection().pick(ComponentKind::Face, {1});
   const auto frame = bench.camera.frame();
-  const auto points = bench.tool.manipulator_picture(frame).lines.front().points;
+  const auto points = manipulator_picture(bench.tool, frame).lines.front().points;
   const Vec2 from = frame.project(points[points.size() / 2])->pixel;
   bench.tool.handle({Kind::Begin, from, {}, frame, 1});
   bench.tool.handle({Kind::Sample, from + Vec2(30, 0), {}, frame, 1});

@@ -7,6 +7,7 @@
 #include "croquis/geometry/mesh_report.h"
 #include "croquis/tools/all_steps.h"
 #include "croquis/tools/mesh/mesh_tool.h"
+#include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/recording/recording.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
@@ -106,12 +107,12 @@ TEST_CASE("a recorded edit replays to the same mesh, whatever is selected") {
                            "rotate edges=7,8 degrees=30", "sharpness edges=1-9 value=2.5", "dissolve edges=2"}) {
     CHECK(first.apply(line) == Verdict::Commit);
     const std::string text = recorded::to_line(*first.tool.done());
-    second.tool.replay(recorded::parse(text, "recording", recorded::all_steps()).front().step);
+    second.tool.take(recorded::parse(text, "recording", recorded::all_steps()).front().step);
     CHECK(hash_of(first.mesh()) == hash_of(second.mesh()));
   }
   CHECK(first.session.undo_labels() == second.session.undo_labels());
   second.tool.set_node(7);
-  CHECK_THROWS_AS(second.tool.replay(*first.tool.done()), Error);
+  CHECK_THROWS_AS(second.tool.take(*first.tool.done()), Error);
 }
 
 TEST_CASE("commands on the selection do what the edits of their names do") {
@@ -125,17 +126,18 @@ TEST_CASE("commands on the selection do what the edits of their names do") {
     CHECK(line.apply(text) == Verdict::Commit);
     CHECK(hash_of(hand.mesh()) == hash_of(line.mesh()));
   };
-  same(hand.tool.edits().move_selected({0.1, 1.0 / 3, 0}), "move faces=3,4,10 by=0.1,0.3333333333333333,0");
-  same(hand.tool.edits().rotate_selected({0, 1, 1}, 33, Vec3(1, 0, 0)),
+  same(hand.tool.take(recorded::Move{.by = {0.1, 1.0 / 3, 0}}), "move faces=3,4,10 by=0.1,0.3333333333333333,0");
+  same(hand.tool.take(recorded::Rotate{.axis = {0, 1, 1}, .degrees = 33, .pivot = Vec3(1, 0, 0)}),
        "rotate faces=3,4,10 axis=0,1,1 degrees=33 about=1,0,0");
-  same(hand.tool.edits().scale_selected({1, 2, 1}, Vec3::Zero()), "scale faces=3,4,10 factors=1,2,1 about=0,0,0");
-  same(hand.tool.edits().extrude({0, 0, 0.5}), "extrude faces=3,4,10 by=0,0,0.5");
-  same(hand.tool.edits().cut_loop(5, 0.3), "loop-cut edges=5 at=0.3");
+  same(hand.tool.take(recorded::Scale{.factors = {1, 2, 1}, .pivot = Vec3::Zero()}),
+       "scale faces=3,4,10 factors=1,2,1 about=0,0,0");
+  same(hand.tool.take(recorded::Extrude{.by = {0, 0, 0.5}}), "extrude faces=3,4,10 by=0,0,0.5");
+  same(hand.tool.take(recorded::LoopCut{.edge = 5, .at = 0.3}), "loop-cut edges=5 at=0.3");
   hand.tool.selection().pick(ComponentKind::Edge, {2, 6});
-  same(hand.tool.tags().tag(2.5), "sharpness edges=2,6 value=2.5");
+  same(hand.tool.take(recorded::Tag{.sharpness = 2.5}), "sharpness edges=2,6 value=2.5");
   hand.tool.selection().pick(ComponentKind::Vertex, {0, 5});
-  same(hand.tool.tags().pin(true), "pin vertices=0,5");
-  same(hand.tool.edits().delete_selected(), "dissolve vertices=0,5");
+  same(hand.tool.take(recorded::Pin{}), "pin vertices=0,5");
+  same(hand.tool.take(recorded::Action{"delete"}), "dissolve vertices=0,5");
 }
 
 TEST_CASE("an edit begins with numbers that can be seen, whatever the size of what is selected") {
@@ -203,12 +205,12 @@ TEST_CASE("an edit with other numbers replays") {
   lines.push_back(recorded::to_line(*first.tool.done()));
   CHECK(lines.back() == R"({"do":"edit","node":"box","line":"inset faces=3,7 width=0.04","again":true})");
   for (const std::string& line : lines) {
-    second.tool.replay(recorded::parse(line, "recording", recorded::all_steps()).front().step);
+    second.tool.take(recorded::parse(line, "recording", recorded::all_steps()).front().step);
   }
   CHECK(first.hash() == second.hash());
   CHECK(second.session.undo_labels().size() == 1);
   Bench third(test::torus(9, 6));
-  CHECK_THROWS_AS(third.tool.replay(*first.tool.done()), Error);
+  CHECK_THROWS_AS(third.tool.take(*first.tool.done()), Error);
 }
 
 TEST_CASE("turning by more than ten turns is turning by the rest") {
@@ -218,8 +220,8 @@ TEST_CASE("turning by more than ten turns is turning by the rest") {
     bench->tool.selection().set_mode(MeshMode::Face);
     bench->tool.selection().pick(ComponentKind::Face, {1});
   }
-  far.tool.edits().rotate_selected(Vec3::UnitZ(), 36000 + 25, Vec3::Zero());
-  near.tool.edits().rotate_selected(Vec3::UnitZ(), 25, Vec3::Zero());
+  far.tool.take(recorded::Rotate{.axis = Vec3::UnitZ(), .degrees = 36000 + 25, .pivot = Vec3::Zero()});
+  near.tool.take(recorded::Rotate{.axis = Vec3::UnitZ(), .degrees = 25, .pivot = Vec3::Zero()});
   for (Index v = 0; v < 8; ++v) CHECK((far.mesh().positions[v] - near.mesh().positions[v]).norm() < 1e-9);
   CHECK(far.tool.done()->as<recorded::Rotate>()->degrees == 36025);
 }

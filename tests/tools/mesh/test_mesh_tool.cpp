@@ -92,11 +92,7 @@ PolyMesh replayed(const PolyMesh& start, const std::vector<recorded::Step>& step
   for (const recorded::Step& step : steps) {
     const recorded::Step read =
         recorded::parse(recorded::to_line(step), "recording", recorded::all_steps()).front().step;
-    if (read.as<recorded::Action>() != nullptr) {
-      desk.tool.edits().delete_selected();
-    } else {
-      desk.tool.replay(read);
-    }
+    desk.tool.take(read);
   }
   return desk.mesh();
 }
@@ -153,7 +149,7 @@ TEST_CASE("all, none and the rest of a selection") {
   desk.tool.selection().pick(ComponentKind::Edge, {1, 4});
   desk.tool.selection().reselect(Reselect::Invert);
   CHECK(desk.selected().size() == 10);
-  desk.tool.replay(all);
+  desk.tool.take(all);
   CHECK(desk.selected().size() == 12);
   desk.tool.selection().set_mode(MeshMode::Object);
   CHECK(desk.tool.selection().select_all() == Verdict::Continue);
@@ -330,7 +326,7 @@ TEST_CASE("hovering shows what a click would take, with its sharpness") {
   const Index edge = desk.tool.preview().hovered->element;
   CHECK_FALSE(desk.tool.preview().hovered_sharpness);
   desk.tool.selection().pick(ComponentKind::Edge, {edge});
-  desk.tool.tags().tag(3.5);
+  desk.tool.take(recorded::Tag{.sharpness = 3.5});
   desk.tool.hover(pixel, frame);
   CHECK(desk.tool.preview().hovered_sharpness == 3.5);
   CHECK(desk.tool.leave());
@@ -339,7 +335,7 @@ TEST_CASE("hovering shows what a click would take, with its sharpness") {
   desk.tool.hover(desk.camera.pixel_of(desk.tool.manipulator()->pivot), frame);
   CHECK(desk.tool.preview().hovered_handle == ManipulatorHandle::Centre);
   CHECK_FALSE(desk.tool.preview().hovered);
-  CHECK_FALSE(desk.tool.manipulator_picture(frame).lines.empty());
+  CHECK_FALSE(manipulator_picture(desk.tool, frame).lines.empty());
 }
 
 TEST_CASE("an armed loop cut shows the ring under the pointer and cuts it") {
@@ -370,18 +366,18 @@ TEST_CASE("extruding selects the lifted faces, deleting selects nothing; both un
   const PolyMesh before = desk.mesh();
   desk.tool.selection().set_mode(MeshMode::Face);
   desk.click({0.5, 1, 0.5});
-  CHECK(desk.tool.edits().extrude_along_normal(2) == Verdict::Commit);
+  CHECK(desk.tool.take(recorded::Extrude{.by = {0, 2, 0}}) == Verdict::Commit);
   desk.steps.push_back(*desk.tool.done());
   CHECK(desk.mesh().face_count() == 10);
   REQUIRE(desk.selected().size() == 1);
   CHECK((desk.middle(ComponentKind::Face, desk.selected()[0]) - Vec3(0.5, 3, 0.5)).norm() < 1e-12);
-  desk.tool.edits().move_selected({0, 0, 1});
+  desk.tool.take(recorded::Move{.by = {0, 0, 1}});
   desk.steps.push_back(*desk.tool.done());
-  CHECK(desk.tool.edits().delete_selected() == Verdict::Commit);
+  CHECK(desk.tool.take(recorded::Action{"delete"}) == Verdict::Commit);
   desk.steps.push_back(*desk.tool.done());
   CHECK(desk.mesh().face_count() == 9);
   CHECK(desk.selected().empty());
-  CHECK(desk.tool.edits().delete_selected() == Verdict::Continue);
+  CHECK(desk.tool.take(recorded::Action{"delete"}) == Verdict::Continue);
   check_same(replayed(before, desk.steps), desk.mesh());
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Extrude 1 face", "Move 1 face", "Delete 1 face"});
   desk.session.undo();
@@ -398,27 +394,28 @@ TEST_CASE("tags are set by selection, angle and rim; sets too; each is one step"
     if (verdict == Verdict::Commit) desk.steps.push_back(*desk.tool.done());
     return verdict;
   };
-  CHECK(desk.tool.tags().count_sharper_than(60) == 12);
-  CHECK(note(desk.tool.tags().tag_sharper_than(60, 2)) == Verdict::Commit);
-  CHECK(note(desk.tool.tags().tag_sharper_than(60, 2)) == Verdict::Continue);
-  CHECK(note(desk.tool.tags().tag_boundary()) == Verdict::Commit);
+  CHECK(edges_sharper_than(*desk.tool.editable().topology(), desk.mesh(), 60).size() == 12);
+  CHECK(note(desk.tool.take(recorded::Tag{.edges = "sharper-than", .degrees = 60, .sharpness = 2})) == Verdict::Commit);
+  CHECK(note(desk.tool.take(recorded::Tag{.edges = "sharper-than", .degrees = 60, .sharpness = 2})) ==
+        Verdict::Continue);
+  CHECK(note(desk.tool.take(recorded::Tag{.edges = "boundary"})) == Verdict::Commit);
   CHECK(desk.mesh().tags.creases.size() == 18);
   note(desk.tool.selection().pick(ComponentKind::Edge, {0, 1}));
-  note(desk.tool.tags().change_sharpness(1.5));
+  note(desk.tool.take(recorded::Tag{.change = 1.5}));
   CHECK(desk.tool.editable().edge_sharpness()[0] == 3.5);
-  note(desk.tool.tags().make_set("rim", 4));
-  note(desk.tool.tags().rename_set("rim", "collar"));
-  note(desk.tool.tags().set_set_sharpness("collar", 5));
+  note(desk.tool.take(recorded::TagSet{.name = "rim", .sharpness = 4}));
+  note(desk.tool.take(recorded::TagSet{.how = "rename", .name = "rim", .other = "collar"}));
+  note(desk.tool.take(recorded::TagSet{.how = "sharpness", .name = "collar", .sharpness = 5}));
   CHECK(desk.tool.editable().edge_sharpness()[1] == 5);
   note(desk.tool.selection().select_none());
-  note(desk.tool.tags().select_set("collar"));
+  note(desk.tool.take(recorded::TagSet{.how = "select", .name = "collar"}));
   CHECK(desk.selected() == Elements{0, 1});
-  note(desk.tool.tags().pin(true));
+  note(desk.tool.take(recorded::Pin{}));
   CHECK(desk.mesh().tags.pins.size() == 3);
-  note(desk.tool.tags().remove_set("collar", true));
+  note(desk.tool.take(recorded::TagSet{.how = "untag", .name = "collar"}));
   note(desk.tool.selection().reselect(Reselect::Tagged));
   CHECK(desk.selected().size() == 16);
-  CHECK_THROWS_AS(desk.tool.tags().select_set("collar"), Error);
+  CHECK_THROWS_AS(desk.tool.take(recorded::TagSet{.how = "select", .name = "collar"}), Error);
   CHECK(desk.session.undo_labels().size() == 8);
   check_same(replayed(before, desk.steps), desk.mesh());
   while (desk.session.can_undo()) desk.session.undo();
@@ -433,24 +430,24 @@ TEST_CASE("the journey of the collar: loop by double click, sharp for ever") {
   while (desk.middle(ComponentKind::Edge, edge).z() < 0.39) ++edge;
   desk.double_click(desk.middle(ComponentKind::Edge, edge));
   CHECK(desk.selected().size() == 12);
-  desk.tool.tags().tag(infinite_sharpness);
+  desk.tool.take(recorded::Tag{.sharpness = infinite_sharpness});
   CHECK(desk.mesh().tags.creases.size() == 12);
   CHECK(desk.session.undo_labels() == std::vector<std::string>{"Sharpen 12 edges"});
   desk.tool.selection().pick(ComponentKind::Edge, {edge});
   desk.tool.selection().reselect(Reselect::Chain);
   CHECK(desk.selected().size() == 12);
-  desk.tool.tags().untag();
+  desk.tool.take(recorded::Tag{.sharpness = 0});
   CHECK(desk.mesh().tags.empty());
 }
 
 TEST_CASE("a recorded step that doesn't fit the mesh is refused by name") {
   Desk desk(test::cube());
-  CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {12}, "loop"}), Error);
-  CHECK_THROWS_AS(desk.tool.replay(recorded::LoopCut{"body", 99, 0.5}), Error);
+  CHECK_THROWS_AS(desk.tool.take(recorded::Pick{"body", "edge", {12}, "loop"}), Error);
+  CHECK_THROWS_AS(desk.tool.take(recorded::LoopCut{"body", 99, 0.5}), Error);
   desk.tool.set_node(7);
   CHECK_FALSE(desk.tool.editable().mesh());
-  CHECK(desk.tool.replay(recorded::Move{"body", {1, 0, 0}}) == Verdict::Continue);
-  CHECK_THROWS_AS(desk.tool.replay(recorded::Pick{"body", "edge", {0}, "loop"}), Error);
+  CHECK(desk.tool.take(recorded::Move{"body", {1, 0, 0}}) == Verdict::Continue);
+  CHECK_THROWS_AS(desk.tool.take(recorded::Pick{"body", "edge", {0}, "loop"}), Error);
   CHECK(desk.drag({10, 10}, {100, 100}) == Verdict::Continue);
   CHECK_FALSE(desk.tool.hover({10, 10}, desk.camera.frame()));
 }
@@ -459,12 +456,12 @@ TEST_CASE("neighbourhoods are made anew only when the connectivity changes") {
   Desk desk(test::torus(9, 6));
   const auto topology = desk.tool.editable().topology();
   desk.tool.selection().pick(ComponentKind::Face, {1, 2});
-  desk.tool.edits().move_selected({0.1, 0, 0});
-  desk.tool.tags().tag(2);
+  desk.tool.take(recorded::Move{.by = {0.1, 0, 0}});
+  desk.tool.take(recorded::Tag{.sharpness = 2});
   CHECK(desk.tool.editable().topology() == topology);
   desk.session.undo();
   CHECK(desk.tool.editable().topology() == topology);
-  desk.tool.edits().cut_loop(0, 0.5);
+  desk.tool.take(recorded::LoopCut{.edge = 0, .at = 0.5});
   CHECK(desk.tool.editable().topology() != topology);
 }
 

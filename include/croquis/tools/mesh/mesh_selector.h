@@ -63,7 +63,6 @@ class MeshSelector {
   Verdict select_all();
   Verdict select_none();
   Verdict reselect(Reselect how);
-  Verdict select_sharper_than(double degrees);
 
   // ---- Parts of a mesh that has been prepared
   Elements expanded(ComponentKind kind, Index element, PickHow how);

@@ -8,7 +8,8 @@
 #include "croquis/edits/edit_line.h"
 #include "croquis/tools/recording/vocabulary.h"
 
-/// Steps on meshes: by the name of the source node, elements by their numbers (edges: MeshTopology's).
+/// Steps on meshes: by the name of the source node, elements by their numbers (edges: MeshTopology's). A mesh tool does
+/// them to the mesh that it works on, whatever their node is, and records the name of that mesh's node.
 namespace croquis::recorded {
 
 /// The pointer was dragged between two places of the model as a view shows them: a manipulator's handle, a sharpness.
@@ -23,7 +24,7 @@ struct ModelDrag {
   void describe(Fields& fields);
 };
 struct Pick {
-  std::string node;
+  std::string node = {};
   std::string kind = "edge";  ///< "vertex", "edge" or "face"
   std::vector<Index> elements;
   std::string how =
@@ -34,7 +35,7 @@ struct Pick {
 };
 /// Any edit, of the elements that its line names.
 struct EditStep {
-  std::string node;
+  std::string node = {};
   EditLine line;
   bool again = false;  ///< instead of the edit before it, which differs in its parameters
 
@@ -43,7 +44,7 @@ struct EditStep {
 };
 /// What is selected was moved, turned or scaled.
 struct Move {
-  std::string node;
+  std::string node = {};
   Vec3 by = Vec3::Zero();
 
   static constexpr std::array verbs{"move"};
@@ -53,7 +54,7 @@ struct Move {
   }
 };
 struct Rotate {
-  std::string node;
+  std::string node = {};
   Vec3 axis = Vec3::UnitZ();  ///< not zero
   double degrees = 0;
   ModelPlace pivot = {};  ///< without it the middle of what is selected
@@ -62,7 +63,7 @@ struct Rotate {
   void describe(Fields& fields);
 };
 struct Scale {
-  std::string node;
+  std::string node = {};
   Vec3 factors = {1, 1, 1};
   ModelPlace pivot = {};
 
@@ -75,17 +76,17 @@ struct Scale {
 };
 /// Edges got a sharpness, or theirs changed.
 struct Tag {
-  std::string node;
-  std::string edges = "selected";   ///< "selected", "boundary", "tagged" or "sharper-than"
-  double degrees = 0;               ///< of "sharper-than"
-  std::optional<double> sharpness;  ///< this or …
-  std::optional<double> change;     ///< … that; of the selected edges
+  std::string node = {};
+  std::string edges = "selected";        ///< "selected", "boundary", "tagged" or "sharper-than"
+  double degrees = 0;                    ///< of "sharper-than"
+  std::optional<double> sharpness = {};  ///< this or …
+  std::optional<double> change = {};     ///< … that; of the selected edges
 
   static constexpr std::array verbs{"tag"};
   void describe(Fields& fields);
 };
 struct Pin {
-  std::string node;
+  std::string node = {};
   bool pinned = true;
 
   static constexpr std::array verbs{"pin"};
@@ -96,17 +97,17 @@ struct Pin {
 };
 /// A named set of tags.
 struct TagSet {
-  std::string node;
+  std::string node = {};
   std::string how = "make";  ///< "make", "rename", "sharpness", "select", "merge", "remove" or "untag"
-  std::string name;
-  std::string other;                ///< rename: the new name; merge: the set that is taken in
-  std::optional<double> sharpness;  ///< make, sharpness
+  std::string name = {};
+  std::string other = {};                ///< rename: the new name; merge: the set that is taken in
+  std::optional<double> sharpness = {};  ///< make, sharpness
 
   static constexpr std::array verbs{"tag-set"};
   void describe(Fields& fields);
 };
 struct Extrude {
-  std::string node;
+  std::string node = {};
   Vec3 by = Vec3::Zero();
 
   static constexpr std::array verbs{"extrude"};
@@ -116,7 +117,7 @@ struct Extrude {
   }
 };
 struct LoopCut {
-  std::string node;
+  std::string node = {};
   Index edge = 0;
   double at = 0.5;
 

@@ -21,6 +21,9 @@ namespace croquis {
 /// selected edges.
 enum class MeshHandles { Select, Move, Rotate, Scale, Sharpen };
 
+/// Of the handles that move, rotate and scale; None for the others.
+ManipulatorKind manipulator_kind(MeshHandles handles);
+
 struct MeshToolOptions {
   MeshPickOptions pick;
   double drag_pixels = 4;  ///< a press that moves less is a click
@@ -42,8 +45,17 @@ struct MeshPreview {
   std::optional<ManipulatorMotion> motion;  ///< what the drag has done, for the help line
 };
 
-/// Works on one mesh of a session as Maya does: picks components, moves them, tags edges, cuts. Its parts have the
-/// commands; the tool itself is what the pointer does.
+/// What a click has to know of those before it.
+struct MeshClicks {
+  std::optional<MeshEvent> last;                      ///< that another one would make a double click
+  Index anchor = no_index, anchor_before = no_index;  ///< last clicked element, and the one before that …
+  std::uint64_t connectivity = 0;                     ///< … in this connectivity
+};
+
+struct MeshGesture;
+
+/// Works on one mesh of a session as Maya does: picks components, moves them, tags edges, cuts. Its parts have what
+/// selects and edits; the tool itself is what the pointer does.
 ///
 /// Clicks: plain replaces, Shift toggles, Ctrl removes, Ctrl+Shift adds; boxes the same. Double click: of an edge its
 /// loop, of a face or vertex all that is connected. Shift+double click goes on from the last picked element: along the
@@ -53,8 +65,9 @@ struct MeshPreview {
 /// What a gesture costs: a drag event copies the mesh and moves the picked vertices, nothing else.
 class MeshTool {
  public:
-  explicit MeshTool(Session& session, MeshToolOptions options = {});  ///< works on meshes of sources alone
-  explicit MeshTool(Workspace& workspace, MeshToolOptions options = {});
+  /// @param workspace computes meshes; null: it works on meshes of sources alone
+  explicit MeshTool(Session& session, Workspace* workspace = nullptr, MeshToolOptions options = {});
+  ~MeshTool();
   MeshTool(const MeshTool&) = delete;  // its parts refer to one another
   MeshTool& operator=(const MeshTool&) = delete;
 
@@ -69,13 +82,12 @@ class MeshTool {
   MeshSelector& selection() { return selector_; }
   const MeshSelector& selection() const { return selector_; }
   MeshEditor& edits() { return editor_; }
-  TagEditor& tags() { return tag_editor_; }
+  /// As MeshEditor::take.
+  Verdict take(const recorded::Step& step) { return editor_.take(step); }
   /// What the last Commit did, for recordings.
   const std::optional<recorded::Step>& done() const { return log_.done; }
   /// What the last edit lost or refused (warnings).
   const Findings& notes() const { return log_.notes; }
-  /// Does a step of mesh_steps() that needs no view. @throws Error (E_INPUT …) when it doesn't fit the mesh
-  Verdict replay(const recorded::Step& step);
 
   // ---- Pointer
   MeshHandles handles() const { return handles_; }
@@ -84,46 +96,23 @@ class MeshTool {
 
   Verdict handle(const MeshEvent& event);
   /// After a Begin in Object mode it isn't: the gesture is the window's, to pick and move objects with.
-  bool active() const { return gesture_ != Gesture::None; }
+  bool active() const { return gesture_ != nullptr; }
   /// Pre-highlights. @return whether the preview changed
   bool hover(const Vec2& pixel, const ViewFrame& frame);
   bool leave();
   const MeshPreview& preview() const { return preview_; }
   /// At the middle of the selected elements; nothing when there is nothing to move.
   std::optional<Manipulator> manipulator();
-  ManipulatorPicture manipulator_picture(const ViewFrame& frame);
 
   /// The next click cuts the hovered edge's ring, where it was hovered; every mode. Escape or another mode disarms.
   void arm_loop_cut(bool armed);
   bool loop_cut_armed() const { return loop_cut_armed_; }
 
  private:
-  enum class Gesture { None, Press, Box, Handle, Sharpen };
-
-  MeshTool(Session& session, Workspace* workspace, MeshToolOptions options);
-
-  Verdict begin(const MeshEvent& event);
-  void go_on(const MeshEvent& event);
-  Verdict finish(const MeshEvent& event);
+  void begin(const MeshEvent& event);
+  void drag();
+  Verdict finish();
   Verdict give_up();
-  void end_gesture();
-  void press(const MeshEvent& event);
-  void start_drag();
-  void drag_to(AddedNode edited);
-  void drag_lines(const std::vector<EditLine>& lines);
-  void drag_handle(const Vec2& pixel);
-  void drag_sharpness(const Vec2& pixel);
-  Verdict finish_handle();
-  Verdict finish_sharpness();
-  Verdict finish_box();
-  Verdict click();
-  Verdict click_again(Index element);
-  void forget_other_anchors();
-  Verdict cut_hovered(const MeshEvent& event);
-  void hover_element(PreparedMesh& now, const Vec2& pixel, const ViewFrame& frame);
-  void leave_mode(bool changes);
-  std::vector<EditLine> lines_of(const ManipulatorMotion& motion) const;
-  std::optional<recorded::Step> recorded_motion(const ManipulatorMotion& motion, const Vec3& pivot) const;
 
   Session& session_;
   MeshToolOptions options_;
@@ -131,24 +120,15 @@ class MeshTool {
   EditableMesh editable_;
   MeshSelector selector_;
   MeshEditor editor_;
-  TagEditor tag_editor_;
   MeshHandles handles_ = MeshHandles::Select;
   bool loop_cut_armed_ = false;
   MeshPreview preview_;
-
-  Gesture gesture_ = Gesture::None;
-  SessionDrag session_drag_;
-  MeshEvent start_;                           ///< that began the gesture
-  Vec2 last_ = Vec2::Zero();                  ///< where the pointer is
-  bool may_sharpen_ = false;                  ///< the press was meant for the sharpness if it moves
-  std::optional<ManipulatorDrag> drag_;       ///< of a handle
-  std::shared_ptr<const PolyMesh> original_;  ///< before the drag …
-  AddedNode begun_;                           ///< … with the document and the node worked on
-  Elements dragged_;                          ///< vertices, or edges of Sharpen
-
-  std::optional<MeshEvent> last_click_;
-  Index anchor_ = no_index, anchor_before_ = no_index;  ///< last clicked element, and the one before that …
-  std::uint64_t anchors_connectivity_ = 0;              ///< … in this connectivity
+  MeshClicks clicks_;
+  std::unique_ptr<MeshGesture> gesture_;  ///< null: none is under way
+  SessionDrag drag_;
 };
+
+/// The tool's manipulator as a view shows it; empty while a loop cut is armed.
+ManipulatorPicture manipulator_picture(MeshTool& tool, const ViewFrame& frame);
 
 }  // namespace croquis

@@ -20,6 +20,7 @@
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
+#include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/tools/mesh/mesh_steps.h"
 #include "croquis/tools/recording/general_steps.h"
 
@@ -29,16 +30,10 @@ namespace {
 constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
-double extrusion_distance(MeshTool& tool) {
-  const auto mesh = tool.editable().mesh();
-  if (!mesh || mesh->positions.empty()) return 0;
-  Vec3 low = mesh->positions.front();
-  Vec3 high = low;
-  for (const Vec3& place : mesh->positions) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  return extrusion_share * (high - low).norm();
+double extrusion_distance(const PolyMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& place : mesh.positions) box.extend(place);
+  return box.isEmpty() ? 0 : extrusion_share * box.diagonal().norm();
 }
 
 /// Edits with actions of their own, which set their numbers by hand.
@@ -88,21 +83,17 @@ std::vector<ActionRow> selections(MeshEditingTool& mesh) {
 constexpr int tag_buttons = 4;
 
 std::vector<ActionRow> taggings(MeshEditingTool& mesh) {
-  const auto run = [&mesh](auto work) { return [&mesh, work] { mesh.act(work); }; };
+  const auto run = [&mesh](const recorded::Step& step) { return [&mesh, step] { take_step(mesh, step); }; };
+  const double sharp = infinite_sharpness;
   return {
-      {"sharp", menu_text("S&harp"), shortcuts("H"),
-       run([](MeshTool& tool) { return tool.tags().tag(infinite_sharpness); })},
-      {"smooth", menu_text("S&mooth"), shortcuts("Shift+H"), run([](MeshTool& tool) { return tool.tags().untag(); })},
-      {"pin", menu_text("&Pin"), shortcuts("P"), run([](MeshTool& tool) { return tool.tags().pin(true); })},
-      {"unpin", menu_text("&Unpin"), shortcuts("Shift+P"), run([](MeshTool& tool) { return tool.tags().pin(false); })},
-      {"sharp-boundary", menu_text("Sharp &boundary"), {}, run([](MeshTool& tool) {
-         return tool.tags().tag_boundary();
-       })},
-      {"sharper", menu_text("Sharper by a half"), shortcuts("Ctrl+Up"),
-       run([](MeshTool& tool) { return tool.tags().change_sharpness(0.5); })},
-      {"softer", menu_text("Softer by a half"), shortcuts("Ctrl+Down"),
-       run([](MeshTool& tool) { return tool.tags().change_sharpness(-0.5); })},
-      {"crease-set", menu_text("Crease &set of the selection"), {}, run(make_crease_set)}};
+      {"sharp", menu_text("S&harp"), shortcuts("H"), run(recorded::Tag{.sharpness = sharp})},
+      {"smooth", menu_text("S&mooth"), shortcuts("Shift+H"), run(recorded::Tag{.sharpness = 0})},
+      {"pin", menu_text("&Pin"), shortcuts("P"), run(recorded::Pin{})},
+      {"unpin", menu_text("&Unpin"), shortcuts("Shift+P"), run(recorded::Pin{.pinned = false})},
+      {"sharp-boundary", menu_text("Sharp &boundary"), {}, run(recorded::Tag{.edges = "boundary", .sharpness = sharp})},
+      {"sharper", menu_text("Sharper by a half"), shortcuts("Ctrl+Up"), run(recorded::Tag{.change = 0.5})},
+      {"softer", menu_text("Softer by a half"), shortcuts("Ctrl+Down"), run(recorded::Tag{.change = -0.5})},
+      {"crease-set", menu_text("Crease &set of the selection"), {}, [&mesh] { make_crease_set(mesh); }}};
 }
 
 /// What the actions are made from, and where they go.
@@ -182,7 +173,10 @@ void add_edits(Making& making, QMenu* menu) {
 void add_shapes(Making& making, QMenu* menu) {
   const auto extrude = [&tool = making.tool, &host = making.host] {
     tool.act([&host](MeshTool& mesh) {
-      const Verdict verdict = mesh.edits().extrude_along_normal(extrusion_distance(mesh));
+      const PreparedMesh* now = mesh.editable().prepared();
+      if (now == nullptr || mesh.selection().mode() != MeshMode::Face) return Verdict::Continue;
+      const Vec3 normal = mean_normal(*now->mesh, mesh.selection().selected());
+      const Verdict verdict = mesh.take(recorded::Extrude{.by = extrusion_distance(*now->mesh) * normal});
       if (verdict == Verdict::Commit) host.set_mode("move");
       return verdict;
     });
@@ -245,7 +239,7 @@ void play_on_mesh(MeshEditingTool& mesh, Studio& studio, const std::string& node
   }
   mesh.follow();
   const MeshMode before = tool.selection().mode();
-  tool.replay(step);
+  tool.take(step);
   mesh.follow();
   const MeshMode after = tool.selection().mode();
   if (after != before) mesh.enter_mesh_mode(after);  // the window's buttons follow
@@ -315,9 +309,13 @@ void scale_to_scene(Studio& studio) {
 
 }  // namespace
 
-Verdict make_crease_set(MeshTool& tool) {
-  const auto mesh = tool.editable().mesh();
-  return mesh ? tool.tags().make_set(new_set_name(mesh->tags)) : Verdict::Continue;
+void take_step(MeshEditingTool& tool, const recorded::Step& step) {
+  tool.act([&](MeshTool& mesh) { return mesh.editable().mesh() ? mesh.take(step) : Verdict::Continue; });
+}
+
+void make_crease_set(MeshEditingTool& tool) {
+  if (const auto mesh = tool.tool().editable().mesh())
+    take_step(tool, recorded::TagSet{.name = new_set_name(mesh->tags)});
 }
 
 void refresh_mesh_actions(const MeshActions& made, MeshTool& tool, ToolHost& host, bool picks_elements) {

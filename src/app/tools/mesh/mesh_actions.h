@@ -47,8 +47,11 @@ struct MeshActions {
   std::unique_ptr<ScaleOffer> scale;
 };
 
+/// Does a step of the mesh tool, where there is a mesh.
+void take_step(MeshEditingTool& tool, const recorded::Step& step);
+
 /// A named set of the selected edges or vertices.
-Verdict make_crease_set(MeshTool& tool);
+void make_crease_set(MeshEditingTool& tool);
 
 /// What replays can do with meshes.
 void add_mesh_replays(Replays& replays, MeshEditingTool& mesh, Studio& studio);

@@ -13,6 +13,7 @@
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/render/sharpness_color.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -92,17 +93,11 @@ QString help_of(const MeshTool& tool, const ObjectMover& mover, ToolHost& host) 
   return tr("O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
 }
 
-ManipulatorKind manipulator_of(MeshHandles handles) {
-  if (handles == MeshHandles::Move) return ManipulatorKind::Move;
-  if (handles == MeshHandles::Rotate) return ManipulatorKind::Rotate;
-  return handles == MeshHandles::Scale ? ManipulatorKind::Scale : ManipulatorKind::None;
-}
-
 }  // namespace
 
 MeshEditingTool::MeshEditingTool(ToolHost& host)
     : Tool(host, "Meshes"),
-      tool_(host.studio()),
+      tool_(host.studio().session(), &host.studio()),
       objects_(host.studio()),
       legend_(make_sharpness_legend(&host.viewport())),
       value_(host.viewport()) {
@@ -136,7 +131,7 @@ void MeshEditingTool::set_mode(const QString& mode) {
   const MeshHandles handles = found == mesh_modes.end() ? MeshHandles::Select : found->second;
   studio().set_edits_elements(found != mesh_modes.end() && !picks_objects());
   tool_.set_handles(handles);
-  objects_.mover().set_kind(manipulator_of(handles));
+  objects_.mover().set_kind(manipulator_kind(handles));
   follow();
   emit state_changed();
 }
@@ -256,7 +251,7 @@ bool MeshEditingTool::command(EditCommand command) {
   }
   const bool selects = command == EditCommand::SelectAll;
   if (!state().picks_elements || !(selects || command == EditCommand::Delete)) return false;
-  act([=](MeshTool& tool) { return selects ? tool.selection().select_all() : tool.edits().delete_selected(); });
+  act([=](MeshTool& tool) { return selects ? tool.selection().select_all() : tool.take(recorded::Action{"delete"}); });
   return true;
 }
 
@@ -301,7 +296,7 @@ void MeshEditingTool::add_to(render::Scene& scene, int view) {
   {
     const PlacedPart own(scene, object == nullptr ? Affine3() : object->placement.map());
     overlay_.add_to(scene, view != ComparisonView);
-    if (with_handles) add_handles(tool_.manipulator_picture(host().viewport().own_frame_of(view)), scene);
+    if (with_handles) add_handles(manipulator_picture(tool_, host().viewport().own_frame_of(view)), scene);
   }
   if (!with_handles) return;
   const ViewFrame frame = host().viewport().frame_of(view);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/window/theme.h"
+#include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/render/sharpness_color.h"
 
 namespace croquis::app {

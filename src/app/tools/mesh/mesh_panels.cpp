@@ -18,7 +18,7 @@
 #include "app/panels/number_box.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/window/panel_docks.h"
-#include "croquis/geometry/mesh_tags.h"
+#include "croquis/mesh_editing/tag_edit.h"
 
 namespace croquis::app {
 namespace {
@@ -81,10 +81,8 @@ TagPanel::TagPanel(MeshEditingTool& mesh, QWidget* parent)
   setObjectName("tags");
   sharpness_->setObjectName("selected-sharpness");
   sharpness_->setToolTip(tr("Sharpness of the selected edges in levels: 0 smooth, 10 and more always sharp"));
-  connect(sharpness_, &QDoubleSpinBox::valueChanged, this, [this] {
-    const double sharpness = sharpness_->sharpness();
-    mesh_.act([sharpness](MeshTool& tool) { return tool.tags().tag(sharpness); });
-  });
+  connect(sharpness_, &QDoubleSpinBox::valueChanged, this,
+          [this] { take_step(mesh_, recorded::Tag{.sharpness = sharpness_->sharpness()}); });
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(6, 4, 6, 2);
   layout->setVerticalSpacing(3);
@@ -113,8 +111,8 @@ QWidget* TagPanel::make_angle_row() {
   connect(angle_slider_, &QSlider::valueChanged, this, [this](int value) { choose_by_angle(value); });
   connect(angle_, &QDoubleSpinBox::valueChanged, this, &TagPanel::choose_by_angle);
   connect(tag, &QPushButton::clicked, this, [this] {
-    const double degrees = angle_->value();
-    mesh_.act([degrees](MeshTool& tool) { return tool.tags().tag_sharper_than(degrees); });
+    take_step(mesh_,
+              recorded::Tag{.edges = "sharper-than", .degrees = angle_->value(), .sharpness = infinite_sharpness});
   });
   auto* name = new QLabel(tr("By angle"), row);
   name->setToolTip(tr("Drag: edges whose faces meet at a greater angle are selected and counted"));
@@ -133,11 +131,12 @@ void TagPanel::choose_by_angle(double degrees) {
     angle_slider_->setValue(static_cast<int>(degrees + 0.5));
     angle_->setValue(degrees);
   }
-  const std::size_t count = mesh_.tool().tags().count_sharper_than(degrees);
-  count_->setText(QString::number(count));
+  const PreparedMesh* now = mesh_.tool().editable().prepared();
+  const Elements edges = now == nullptr ? Elements() : edges_sharper_than(*now->topology, *now->mesh, degrees);
+  count_->setText(QString::number(edges.size()));
   if (mesh_.tool().selection().mode() != MeshMode::Edge) mesh_.set_mesh_mode(MeshMode::Edge);
-  mesh_.act([degrees, count](MeshTool& tool) {
-    return count == 0 ? tool.selection().select_none() : tool.selection().select_sharper_than(degrees);
+  mesh_.act([&edges](MeshTool& tool) {
+    return edges.empty() ? tool.selection().select_none() : tool.selection().choose(ComponentKind::Edge, edges);
   });
 }
 
@@ -171,13 +170,13 @@ CreaseSetPanel::CreaseSetPanel(MeshEditingTool& mesh, QWidget* parent)
     QMetaObject::invokeMethod(
         this,
         [this, before, after] {
-          if (before != after) mesh_.act([&](MeshTool& tool) { return tool.tags().rename_set(before, after); });
+          if (before != after) take_step(mesh_, recorded::TagSet{.how = "rename", .name = before, .other = after});
         },
         Qt::QueuedConnection);
   });
   sharpness_->setObjectName("set-sharpness");
   connect(sharpness_, &QDoubleSpinBox::valueChanged, this, [this] {
-    mesh_.act([&](MeshTool& tool) { return tool.tags().set_set_sharpness(chosen(), sharpness_->sharpness()); });
+    take_step(mesh_, recorded::TagSet{.how = "sharpness", .name = chosen(), .sharpness = sharpness_->sharpness()});
   });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
@@ -203,13 +202,13 @@ QWidget* CreaseSetPanel::make_buttons() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(3);
   add_button(row, "set-new", tr("New"), tr("A set of the selected edges or vertices"),
-             [this] { mesh_.act(make_crease_set); });
+             [this] { make_crease_set(mesh_); });
   layout->addWidget(sharpness_);
   add_button(row, "set-select", tr("Select"), tr("Selects the set's edges or vertices"),
-             [this] { mesh_.act([this](MeshTool& tool) { return tool.tags().select_set(chosen()); }); });
+             [this] { take_step(mesh_, recorded::TagSet{.how = "select", .name = chosen()}); });
   add_button(row, "set-merge", tr("Merge"), tr("Puts all chosen sets into the first one"), [this] { merge(); });
   add_button(row, "set-delete", tr("Delete"), tr("Forgets the set; its edges stay as sharp as they are"),
-             [this] { mesh_.act([this](MeshTool& tool) { return tool.tags().remove_set(chosen(), false); }); });
+             [this] { take_step(mesh_, recorded::TagSet{.how = "remove", .name = chosen()}); });
   return row;
 }
 
@@ -222,7 +221,7 @@ void CreaseSetPanel::merge() {
   std::vector<std::string> names;
   for (const QTreeWidgetItem* row : sets_->selectedItems()) names.push_back(name_of(row));
   for (std::size_t i = 1; i < names.size(); ++i) {
-    mesh_.act([&](MeshTool& tool) { return tool.tags().merge_sets(names.front(), names[i]); });
+    take_step(mesh_, recorded::TagSet{.how = "merge", .name = names.front(), .other = names[i]});
   }
 }
 
