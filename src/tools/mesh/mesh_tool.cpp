@@ -29,8 +29,6 @@ namespace {
 
 constexpr double sharpness_step = 0.1;  // levels: a pointer isn't more exact
 
-constexpr std::array drag_verbs{"Select", "Move", "Rotate", "Scale", "Sharpen"};  // in the order of MeshHandles
-
 PickHow how_of(const Modifiers& modifiers) {
   if (modifiers.shift) return modifiers.ctrl ? PickHow::Add : PickHow::Toggle;
   return modifiers.ctrl ? PickHow::Remove : PickHow::Replace;
@@ -285,7 +283,8 @@ void MeshTool::drag() {
     now.original = editable_.mesh();
     now.begun = {session_.document(), editable_.node()};
     now.dragged = now.handle ? selector_.selected_vertices() : selector_.selected();
-    const char* verb = drag_verbs[static_cast<std::size_t>(handles_)];
+    constexpr std::array verbs{"Select", "Move", "Rotate", "Scale", "Sharpen"};  // in the order of MeshHandles
+    const char* verb = verbs[static_cast<std::size_t>(handles_)];
     drag_.begin(selector_.counted(verb, selector_.kind(), selector_.selected().size()));
   }
   drag_to(drag_, editable_, edited_by(now, *this, preview_.sharpness_change.value_or(0)));
