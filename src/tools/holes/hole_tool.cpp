@@ -190,21 +190,14 @@ Verdict HoleTool::select(std::vector<Index> holes) {
   return choose(std::move(holes), "select");
 }
 
-Verdict HoleTool::select_all() {
-  std::vector<Index> all;
-  for (const HoleRim& each : rims()) all.push_back(each.id);
-  return select(std::move(all));
-}
-
-Verdict HoleTool::replay(const recorded::HoleChoice& step) {
-  require_holes(*scene_, step.holes);
-  if (step.action == "fill" || step.action == "leave") return commit(step);
-  return choose(step.holes, step.action);
-}
-
-Verdict HoleTool::replay(const recorded::HolePoint& step) {
-  require_holes(*scene_, {step.hole});
-  return commit(step);
+Verdict HoleTool::take(const recorded::Step& step) {
+  const auto* choice = step.as<recorded::HoleChoice>();
+  const auto* point = step.as<recorded::HolePoint>();
+  if (choice == nullptr && point == nullptr)
+    throw Error(make_error(Category::Usage, "E_INPUT", "This step is none of the hole tool."));
+  require_holes(*scene_, choice ? choice->holes : std::vector<Index>{point->hole});
+  const bool selects = choice && choice->action != "fill" && choice->action != "leave";
+  return selects ? choose(choice->holes, choice->action) : commit(step);
 }
 
 std::vector<Vec3> moved_through(std::vector<Vec3> through, const recorded::HolePoint& step, double reach) {

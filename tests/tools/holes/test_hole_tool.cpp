@@ -299,7 +299,7 @@ TEST_CASE("selections outlive new rims as far as the holes are there") {
   desk.tool.set_rims({test::ring(4, {0, 0, 0}, 0.2)});
   CHECK(desk.tool.selected() == Holes{4});
   CHECK(desk.tool.is_selected(4));
-  CHECK(desk.tool.select_all() == Verdict::Continue);
+  CHECK(desk.tool.select({4}) == Verdict::Continue);
   CHECK(desk.tool.rim(7) == nullptr);
 }
 
@@ -309,8 +309,7 @@ TEST_CASE("steps replay what was done by hand, and name each hole that isn't the
   const auto same = [&] {
     const std::string line = recorded::to_line(*desk.tool.done());
     const recorded::Step step = recorded::parse(line, "", recorded::hole_steps()).front().step;
-    if (const auto* choice = step.as<HoleChoice>()) other.tool.replay(*choice);
-    if (const auto* point = step.as<HolePoint>()) other.tool.replay(*point);
+    other.tool.take(step);
     CHECK(other.tool.selected() == desk.tool.selected());
     CHECK(recorded::to_line(*other.tool.done()) == recorded::to_line(*desk.tool.done()));
   };
@@ -326,13 +325,13 @@ TEST_CASE("steps replay what was done by hand, and name each hole that isn't the
   desk.drag(desk.camera.pixel_of({0.25, 0.2, 0}), {300, 100});
   same();
   try {
-    other.tool.replay(HoleChoice{{2, 50, 51}, "fill", {}});
+    other.tool.take(HoleChoice{{2, 50, 51}, "fill", {}});
     FAIL("holes 50 and 51 don't exist");
   } catch (const Error& error) {
     CHECK(error.findings().size() == 2);
     CHECK(error.findings()[1].message.find("51") != std::string::npos);
   }
-  CHECK_THROWS_AS(other.tool.replay(HolePoint{50, Vec3::Zero(), Vec3::Zero(), {}}), Error);
+  CHECK_THROWS_AS(other.tool.take(HolePoint{50, Vec3::Zero(), Vec3::Zero(), {}}), Error);
 }
 
 TEST_CASE("points of a patch are moved, made and taken away") {

@@ -117,16 +117,14 @@ class HoleTool {
   /// Every hole's place on screen; kept until the view, rims or sight change.
   const std::vector<HolePin>& pins(const ViewFrame& frame);
 
+  /// Does a step of hole_steps() but a HoleWay, as a gesture would.
+  /// @throws Error (E_INPUT) naming each hole that isn't there
+  Verdict take(const recorded::Step& step);
+
   // ---- Selection, sorted
   const std::vector<Index>& selected() const { return selected_; }
   bool is_selected(Index hole) const { return std::ranges::binary_search(selected_, hole); }
   Verdict select(std::vector<Index> holes);  ///< from a list; those that aren't there are left out
-  Verdict select_all();
-  Verdict select_none() { return select({}); }
-
-  // ---- Replays. @throws Error (E_INPUT) naming each hole that isn't there
-  Verdict replay(const recorded::HoleChoice& step);
-  Verdict replay(const recorded::HolePoint& step);
 
  private:
   void go_on(const MeshEvent& event);

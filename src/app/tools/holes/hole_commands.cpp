@@ -343,14 +343,9 @@ void take_gesture(ScanHoles& holes, const MeshEvent& event) {
   follow_pull(holes);
 }
 
-void replay(ScanHoles& holes, const recorded::HoleChoice& step) {
+void replay(ScanHoles& holes, const recorded::Step& step) {
   holes.follow();
-  finish(holes, holes.tool.replay(step));
-}
-
-void replay(ScanHoles& holes, const recorded::HolePoint& step) {
-  holes.follow();
-  finish(holes, holes.tool.replay(step));
+  finish(holes, holes.tool.take(step));
 }
 
 void replay(ScanHoles& holes, const recorded::HoleWay& step) {

@@ -132,7 +132,7 @@ void ScanHoles::take_result(const Node* operation) {
   rows = hole_rows(result.get());
   follow_sight();
   const auto rims = result ? result->outputs.find("rims") : Values::const_iterator();
-  if (other_object || !result) tool.select_none();
+  if (other_object || !result) tool.select({});
   if (!result || rims == result->outputs.end())
     tool.set_rims({});
   else if (!tool.active())

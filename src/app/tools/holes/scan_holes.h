@@ -124,8 +124,7 @@ void cancel_remeshing(ScanHoles& holes);
 
 /// A gesture's steps, and recorded ones. @throws Error
 void take_gesture(ScanHoles& holes, const MeshEvent& event);
-void replay(ScanHoles& holes, const recorded::HoleChoice& step);
-void replay(ScanHoles& holes, const recorded::HolePoint& step);
+void replay(ScanHoles& holes, const recorded::Step& step);
 void replay(ScanHoles& holes, const recorded::HoleWay& step);
 
 /// The actions of menus and keys that need holes to work on; and whether each is enabled now.
