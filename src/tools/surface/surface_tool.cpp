@@ -69,6 +69,128 @@ NetworkElements chosen_by(const SurfaceGesture& gesture, const NetworkElements& 
   return elements;
 }
 
+NetworkElements elements_in(const Selection& selection, NodeId node, const AttributeNetwork& network) {
+  NetworkElements elements;
+  for (const NetworkElement kind : kinds_of_element) {
+    for (const std::string& id : element_ids(network, kind)) {
+      if (std::ranges::binary_search(selection, SelectedItem{node, selected_part(kind, id)}))
+        elements.of(kind).push_back(id);
+    }
+  }
+  return elements;
+}
+
+// ---- What lies under the pointer
+
+std::optional<PickedPlace> pick(const SurfaceTool& tool, const ViewFrame& frame, const Vec2& pixel, double reach) {
+  const auto now = tool.network();
+  if (!now) return std::nullopt;
+  if (auto point = nearest_point_attribute(*now, frame, pixel, reach)) return point;
+  if (tool.mode() == SurfaceMode::Point) return std::nullopt;
+  if (auto handle = nearest_handle(*now, tool.selected().curves, frame, pixel, reach)) return handle;
+  if (auto node = nearest_node(*now, frame, pixel, reach)) return node;
+  return nearest_curve(*now, frame, pixel, reach);
+}
+
+/// What a stroke or a press there would go to.
+SurfacePreview seen_at(const SurfaceTool& tool, const SurfaceToolOptions& options, const ViewFrame& frame,
+                       const Vec2& pixel) {
+  SurfacePreview seen;
+  const auto now = tool.network();
+  if (tool.mode() == SurfaceMode::Draw) {
+    seen.snap = now ? snap_at(*now, frame, pixel, options.snap_pixels) : std::nullopt;
+  } else if (tool.mode() == SurfaceMode::Patch) {
+    seen.loop = loop_at(now, frame, pixel);
+  } else {
+    seen.hovered = pick(tool, frame, pixel, options.pick_pixels);
+  }
+  const bool is_free = !seen.snap && !seen.hovered && tool.mode() != SurfaceMode::Patch;
+  const auto& sight = tool.settings().sight;
+  if (is_free && sight) seen.hit = sight->patch_under(frame.ray(pixel));
+  return seen;
+}
+
+bool shows_same(const SurfacePreview& a, const SurfacePreview& b) {
+  const auto snap_place = [](const SurfacePreview& one) {
+    return one.snap ? std::optional(one.snap->place) : std::nullopt;
+  };
+  const auto loop_sides = [](const SurfacePreview& one) {
+    return one.loop ? one.loop->loop.sides : std::vector<AttributeSide>();
+  };
+  const auto hit_point = [](const SurfacePreview& one) {
+    return one.hit ? std::optional(one.hit->point) : std::nullopt;
+  };
+  return snap_place(a) == snap_place(b) && a.hovered == b.hovered && loop_sides(a) == loop_sides(b) &&
+         hit_point(a) == hit_point(b);
+}
+
+// ---- Gestures
+
+/// A gesture that begins, with what lies under it.
+SurfaceGesture begun_at(const SurfaceTool& tool, const SurfaceToolOptions& options, const MeshEvent& event) {
+  const auto& sight = tool.settings().sight;
+  SurfaceGesture now;
+  now.start = event;
+  now.last = event.pixel;
+  if (tool.mode() == SurfaceMode::Draw) {
+    now.kind = SurfaceGesture::Kind::Draw;
+    now.from = snap_at(or_empty(tool.network()), event.frame, now.last, options.snap_pixels);
+    add_sample(now, sight.get());
+    return now;
+  }
+  if (tool.mode() == SurfaceMode::Patch) return now;
+  const double reach = options.pick_pixels;
+  now.picked = pick(tool, event.frame, now.last, reach);
+  const bool is_handle = now.picked && (now.picked->control || now.picked->kind == NetworkElement::Point);
+  if (!is_handle && tool.mode() == SurfaceMode::Select)
+    now.tip = nearest_tip(slopes_of(tool), event.frame, now.last, reach);
+  if (!is_handle && !now.tip && passes(ring_of(tool), event.frame, now.last, reach))
+    now.ring = tool.selected().points.front();
+  if (!now.picked && !now.tip && now.ring.empty() && sight) now.hit = sight->patch_under(event.frame.ray(now.last));
+  return now;
+}
+
+/// What a press becomes that moves.
+SurfaceGesture::Kind kind_of_drag(const SurfaceGesture& press, SurfaceMode mode) {
+  const bool pulls = mode == SurfaceMode::Point && press.hit;
+  const bool holds = press.picked || press.tip || !press.ring.empty() || pulls;
+  if (mode == SurfaceMode::Patch || !holds) return SurfaceGesture::Kind::Box;
+  if (press.picked && press.picked->control) return SurfaceGesture::Kind::Handle;
+  if (press.tip) return SurfaceGesture::Kind::Slope;
+  if (!press.ring.empty()) return SurfaceGesture::Kind::Ring;
+  return pulls ? SurfaceGesture::Kind::Pull : SurfaceGesture::Kind::Move;
+}
+
+void preview_stroke(SurfacePreview& preview, const SurfaceGesture& now, const SurfaceTool& tool,
+                    const SurfaceToolOptions& options) {
+  const AttributeNetwork network = or_empty(tool.network());
+  preview.snap = now.stroke.size() == 1 ? now.from : snap_at(network, now.start.frame, now.last, options.snap_pixels);
+  const bool moved = is_far(now, now.last, options.drag_pixels);
+  const StrokeInSpace stroke =
+      stroke_in_space(now, tool.settings(), network, moved ? preview.snap : std::optional<SurfaceSnap>());
+  preview.face = stroke.face;
+  preview.plane = stroke.plane;
+  preview.ink = stroke.points;
+}
+
+std::optional<recorded::SurfaceStroke> drawn_step(const SurfaceGesture& gesture, const SurfaceTool& tool,
+                                                  const SurfaceToolOptions& options) {
+  const auto now = tool.network();
+  const bool is_long = std::ranges::any_of(
+      gesture.stroke, [&](const auto& sample) { return is_far(gesture, sample.pixel, options.drag_pixels); });
+  const auto end =
+      is_long && now ? snap_at(*now, gesture.start.frame, gesture.last, options.snap_pixels) : std::nullopt;
+  return stroke_step(gesture, stroke_in_space(gesture, tool.settings(), or_empty(now), end), end);
+}
+
+/// Fills a loop, or picks the patch that fills it already.
+recorded::Step patch_step(const AttributeNetwork& network, const LoopAround& around) {
+  if (around.face) return recorded::SurfaceChoice{one_element(NetworkElement::Face, network.faces[*around.face].id)};
+  std::vector<std::string> curves;
+  for (const AttributeSide& side : around.loop.sides) curves.push_back(network.curves[side.curve].id);
+  return recorded::SurfacePatch{curves};
+}
+
 }  // namespace
 
 std::string selected_part(NetworkElement kind, const std::string& id) {
@@ -149,17 +271,8 @@ Verdict SurfaceTool::take(const recorded::Step& step) {
 // ---- What is selected, and what can be dragged then
 
 NetworkElements SurfaceTool::selected() const {
-  NetworkElements elements;
   const auto now = network();
-  if (!now) return elements;
-  const NodeId own = node();
-  for (const NetworkElement kind : kinds_of_element) {
-    for (const std::string& id : element_ids(*now, kind)) {
-      const SelectedItem item{own, selected_part(kind, id)};
-      if (std::ranges::binary_search(session_.selection(), item)) elements.of(kind).push_back(id);
-    }
-  }
-  return elements;
+  return now ? elements_in(session_.selection(), node(), *now) : NetworkElements();
 }
 
 void SurfaceTool::select(const NetworkElements& elements) {
@@ -170,50 +283,33 @@ void SurfaceTool::select(const NetworkElements& elements) {
   session_.select(std::move(selection));
 }
 
-std::vector<ControlHandle> SurfaceTool::handles() const {
-  const auto now = network();
-  return now ? free_handles(*now, selected().curves) : std::vector<ControlHandle>();
+std::vector<ControlHandle> handles_of(const SurfaceTool& tool) {
+  const auto now = tool.network();
+  return now ? free_handles(*now, tool.selected().curves) : std::vector<ControlHandle>();
 }
 
-std::vector<SlopeTip> SurfaceTool::slopes() const {
-  const std::vector<std::string> curves = selected().curves;
-  if (!settings_.sight || curves.size() != 1) return {};
-  return slope_tips(*network(), curves.front(), *settings_.sight);
+std::vector<SlopeTip> slopes_of(const SurfaceTool& tool) {
+  const std::vector<std::string> curves = tool.selected().curves;
+  const auto& sight = tool.settings().sight;
+  if (!sight || curves.size() != 1) return {};
+  return slope_tips(*tool.network(), curves.front(), *sight);
 }
 
-std::vector<Vec3> SurfaceTool::ring() const {
-  const std::vector<std::string> points = selected().points;
-  if (!settings_.sight || points.size() != 1) return {};
-  const auto radius = preview_.radius ? preview_.radius : settings_.sight->radius_of(points.front());
-  return radius ? settings_.sight->ring_of(points.front(), *radius) : std::vector<Vec3>();
+std::vector<Vec3> ring_of(const SurfaceTool& tool) {
+  const std::vector<std::string> points = tool.selected().points;
+  const auto& sight = tool.settings().sight;
+  if (!sight || points.size() != 1) return {};
+  const auto& dragged = tool.preview().radius;
+  const auto radius = dragged ? dragged : sight->radius_of(points.front());
+  return radius ? sight->ring_of(points.front(), *radius) : std::vector<Vec3>();
 }
 
 // ---- Hovering
 
 bool SurfaceTool::hover(const Vec2& pixel, const ViewFrame& frame) {
   if (active() || !pixel.allFinite()) return false;
-  const SurfacePreview before = std::exchange(preview_, {});
-  const auto now = network();
-  if (mode_ == SurfaceMode::Draw) {
-    preview_.snap = now ? snap_at(*now, frame, pixel, options_.snap_pixels) : std::nullopt;
-  } else if (mode_ == SurfaceMode::Patch) {
-    preview_.loop = loop_at(now, frame, pixel);
-  } else {
-    preview_.hovered = pick(frame, pixel);
-  }
-  const bool is_free = !preview_.snap && !preview_.hovered && mode_ != SurfaceMode::Patch;
-  if (is_free && settings_.sight) preview_.hit = settings_.sight->patch_under(frame.ray(pixel));
-  const auto snap_place = [](const SurfacePreview& one) {
-    return one.snap ? std::optional(one.snap->place) : std::nullopt;
-  };
-  const auto loop_sides = [](const SurfacePreview& one) {
-    return one.loop ? one.loop->loop.sides : std::vector<AttributeSide>();
-  };
-  const auto hit_point = [](const SurfacePreview& one) {
-    return one.hit ? std::optional(one.hit->point) : std::nullopt;
-  };
-  return snap_place(before) != snap_place(preview_) || before.hovered != preview_.hovered ||
-         loop_sides(before) != loop_sides(preview_) || hit_point(before) != hit_point(preview_);
+  const SurfacePreview before = std::exchange(preview_, seen_at(*this, options_, frame, pixel));
+  return !shows_same(before, preview_);
 }
 
 bool SurfaceTool::leave() {
@@ -221,17 +317,6 @@ bool SurfaceTool::leave() {
   const bool had = preview_.snap || preview_.hovered || preview_.hit || preview_.loop;
   preview_ = {};
   return had;
-}
-
-std::optional<PickedPlace> SurfaceTool::pick(const ViewFrame& frame, const Vec2& pixel) const {
-  const auto now = network();
-  if (!now) return std::nullopt;
-  const double reach = options_.pick_pixels;
-  if (auto point = nearest_point_attribute(*now, frame, pixel, reach)) return point;
-  if (mode_ == SurfaceMode::Point) return std::nullopt;
-  if (auto handle = nearest_handle(*now, selected().curves, frame, pixel, reach)) return handle;
-  if (auto node = nearest_node(*now, frame, pixel, reach)) return node;
-  return nearest_curve(*now, frame, pixel, reach);
 }
 
 // ---- Gestures
@@ -242,7 +327,10 @@ Verdict SurfaceTool::handle(const MeshEvent& event) {
   if (event.kind == PenStep::Kind::Cancel || (begins && !is_finite)) return give_up();
   if (begins) {
     give_up();
-    begin(event);
+    notes_.clear();
+    preview_ = {};
+    gesture_ = std::make_unique<SurfaceGesture>(begun_at(*this, options_, event));
+    if (gesture_->kind == SurfaceGesture::Kind::Draw) preview_stroke(preview_, *gesture_, *this, options_);
     return Verdict::Continue;
   }
   if (!active()) return Verdict::Continue;
@@ -259,51 +347,19 @@ Verdict SurfaceTool::give_up() {
   return Verdict::Revert;
 }
 
-void SurfaceTool::begin(const MeshEvent& event) {
-  notes_.clear();
-  preview_ = {};
-  gesture_ = std::make_unique<SurfaceGesture>();
-  SurfaceGesture& now = *gesture_;
-  now.start = event;
-  now.last = event.pixel;
-  if (mode_ == SurfaceMode::Draw) {
-    now.kind = SurfaceGesture::Kind::Draw;
-    now.from = snap_at(or_empty(network()), event.frame, now.last, options_.snap_pixels);
-    add_sample(now, settings_.sight.get());
-    preview_stroke();
-    return;
-  }
-  if (mode_ == SurfaceMode::Patch) return;
-  now.picked = pick(event.frame, now.last);
-  const bool is_handle = now.picked && (now.picked->control || now.picked->kind == NetworkElement::Point);
-  if (!is_handle && mode_ == SurfaceMode::Select)
-    now.tip = nearest_tip(slopes(), event.frame, now.last, options_.pick_pixels);
-  if (!is_handle && !now.tip && passes(ring(), event.frame, now.last, options_.pick_pixels))
-    now.ring = selected().points.front();
-  if (!now.picked && !now.tip && now.ring.empty() && settings_.sight)
-    now.hit = settings_.sight->patch_under(event.frame.ray(now.last));
-}
-
 void SurfaceTool::go_on(const MeshEvent& event) {
   SurfaceGesture& now = *gesture_;
   const bool moved = event.pixel != now.last;
   now.last = event.pixel;
   if (now.kind == SurfaceGesture::Kind::Draw) {
     if (moved) add_sample(now, settings_.sight.get());
-    return preview_stroke();
+    return preview_stroke(preview_, now, *this, options_);
   }
-  const bool drags = now.kind == SurfaceGesture::Kind::Press && is_far(now, now.last, options_.drag_pixels);
-  const bool pulls = mode_ == SurfaceMode::Point && now.hit;
-  const bool holds = mode_ != SurfaceMode::Patch && (now.picked || now.tip || !now.ring.empty() || pulls);
-  if (drags && !holds) now.kind = SurfaceGesture::Kind::Box;
-  if (drags && holds) {
-    now.original = std::make_shared<const AttributeNetwork>(or_empty(network()));
-    if (symmetry_) now.partners = find_partners(*now.original, *symmetry_, tolerance_of(*now.original));
-    now.kind = now.tip             ? SurfaceGesture::Kind::Slope
-               : !now.ring.empty() ? SurfaceGesture::Kind::Ring
-               : pulls             ? SurfaceGesture::Kind::Pull
-                                   : SurfaceGesture::Kind::Move;
-    if (now.picked && now.picked->control) now.kind = SurfaceGesture::Kind::Handle;
+  if (now.kind == SurfaceGesture::Kind::Press && is_far(now, now.last, options_.drag_pixels)) {
+    now.kind = kind_of_drag(now, mode_);
+    if (now.kind != SurfaceGesture::Kind::Box)
+      now.original = std::make_shared<const AttributeNetwork>(or_empty(network()));
+    if (now.original && symmetry_) now.partners = find_partners(*now.original, *symmetry_, tolerance_of(*now.original));
     if (now.kind == SurfaceGesture::Kind::Move) {
       now.moving = selected();
       if (!now.moving.has(now.picked->kind, now.picked->id)) {
@@ -330,28 +386,12 @@ void SurfaceTool::drag() {
   drag_.to(with_network(on_both_sides(*now.original, std::move(edit.network), symmetry_, now.partners)));
 }
 
-void SurfaceTool::preview_stroke() {
-  const SurfaceGesture& now = *gesture_;
-  const AttributeNetwork network = or_empty(this->network());
-  preview_.snap = now.stroke.size() == 1 ? now.from : snap_at(network, now.start.frame, now.last, options_.snap_pixels);
-  const bool moved = is_far(now, now.last, options_.drag_pixels);
-  const StrokeInSpace stroke =
-      stroke_in_space(now, settings_, network, moved ? preview_.snap : std::optional<SurfaceSnap>());
-  preview_.face = stroke.face;
-  preview_.plane = stroke.plane;
-  preview_.ink = stroke.points;
-}
-
 Verdict SurfaceTool::finish() {
   const std::unique_ptr<const SurfaceGesture> gesture = std::exchange(gesture_, nullptr);
   preview_ = {};
   const auto now = network();
-  const ViewFrame& frame = gesture->start.frame;
   if (gesture->kind == SurfaceGesture::Kind::Draw) {
-    const bool is_long = std::ranges::any_of(
-        gesture->stroke, [&](const auto& sample) { return is_far(*gesture, sample.pixel, options_.drag_pixels); });
-    const auto end = is_long && now ? snap_at(*now, frame, gesture->last, options_.snap_pixels) : std::nullopt;
-    const auto step = stroke_step(*gesture, stroke_in_space(*gesture, settings_, or_empty(now), end), end);
+    const auto step = drawn_step(*gesture, *this, options_);
     return step ? take(*step) : Verdict::Revert;
   }
   if (gesture->original) {
@@ -363,18 +403,12 @@ Verdict SurfaceTool::finish() {
   }
   const bool clicks = gesture->kind == SurfaceGesture::Kind::Press;
   if (clicks && mode_ == SurfaceMode::Patch) {
-    const auto around = loop_at(now, frame, gesture->start.pixel);
-    if (!around) {
-      notes_ = {make_warning(Category::Geometry, "E_OPEN_LOOP",
-                             "No closed loop of 2 to 12 curves goes around this place: close the gaps, or select the "
-                             "curves of the loop.")};
-      return Verdict::Revert;
-    }
-    if (around->face)
-      return take(recorded::SurfaceChoice{one_element(NetworkElement::Face, now->faces[*around->face].id)});
-    std::vector<std::string> curves;
-    for (const AttributeSide& side : around->loop.sides) curves.push_back(now->curves[side.curve].id);
-    return take(recorded::SurfacePatch{curves});
+    const auto around = loop_at(now, gesture->start.frame, gesture->start.pixel);
+    if (around) return take(patch_step(*now, *around));
+    notes_ = {make_warning(Category::Geometry, "E_OPEN_LOOP",
+                           "No closed loop of 2 to 12 curves goes around this place: close the gaps, or select the "
+                           "curves of the loop.")};
+    return Verdict::Revert;
   }
   const auto& hit = gesture->hit;
   if (clicks && mode_ == SurfaceMode::Point && hit && !gesture->picked)

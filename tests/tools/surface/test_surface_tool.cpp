@@ -178,7 +178,7 @@ TEST_CASE("handles of a selected line bend it") {
   hand.tool.set_mode(SurfaceMode::Select);
   hand.click(hand.pixel((hand.node_place("n1") + hand.node_place("n2")) / 2));
   REQUIRE(hand.tool.selected().curves == std::vector<std::string>{"c1"});
-  REQUIRE(hand.tool.handles().size() == 2);
+  REQUIRE(handles_of(hand.tool).size() == 2);
   const Vec3 handle = control_handles(hand.network(), hand.network().curves[0])[1];
   CHECK(hand.drag(hand.pixel(handle), hand.pixel(handle) + Vec2(0, -50)) == Verdict::Commit);
   REQUIRE(hand.network().curves[0].control.size() == 4);
@@ -218,7 +218,7 @@ TEST_CASE("a press on a patch and a drag pull a point that follows the pointer, 
   CHECK(std::abs(point.point.x() - 1) < 0.3);
   CHECK(hand.tool.selected().points == std::vector<std::string>{"p1"});
   hand.look();
-  const std::vector<Vec3> ring = hand.tool.ring();
+  const std::vector<Vec3> ring = ring_of(hand.tool);
   REQUIRE(ring.size() > 20);
   const Vec2 on_ring = hand.pixel(ring[3]);
   const Vec2 centre = hand.pixel(point.point);
@@ -279,8 +279,8 @@ TEST_CASE("the handle of a slope turns the surface's normal about the curve") {
   fill_triangle(hand);
   hand.tool.set_mode(SurfaceMode::Select);
   hand.tool.select({{}, {"c1"}, {}, {}});
-  REQUIRE(hand.tool.slopes().size() == 1);
-  const SlopeTip tip = hand.tool.slopes()[0];
+  REQUIRE(slopes_of(hand.tool).size() == 1);
+  const SlopeTip tip = slopes_of(hand.tool)[0];
   CHECK(tip.automatic);
   CHECK(hand.drag(hand.pixel(tip.tip), hand.pixel(tip.tip) + Vec2(0, -40)) == Verdict::Commit);
   REQUIRE(hand.network().slopes.size() == 1);
@@ -288,7 +288,7 @@ TEST_CASE("the handle of a slope turns the surface's normal about the curve") {
   CHECK(slope.magnitude > 0);
   CHECK(std::abs(slope.normals[0].normalized().dot((right - left).normalized())) < 0.05);
   hand.look();
-  const SlopeTip now = hand.tool.slopes()[0];
+  const SlopeTip now = slopes_of(hand.tool)[0];
   CHECK_FALSE(now.automatic);
   CHECK((hand.pixel(now.tip) - hand.pixel(tip.tip) - Vec2(0, -40)).norm() < 4);
   CHECK(hand.tool.take(recorded::SurfaceSlope{now.side, {}}) == Verdict::Commit);

@@ -133,22 +133,11 @@ class SurfaceTool {
   NetworkElements selected() const;
   void select(const NetworkElements& elements);  ///< recorded with a SurfaceChoice instead
 
-  // ---- What can be dragged beside elements
-  /// Handles of the selected curves (control_handles), without those at nodes.
-  std::vector<ControlHandle> handles() const;
-  /// Of each patch along the one selected curve.
-  std::vector<SlopeTip> slopes() const;
-  /// The ring of the one selected point; during a drag of it, as it is now. Empty for none.
-  std::vector<Vec3> ring() const;
-
  private:
-  void begin(const MeshEvent& event);
   void go_on(const MeshEvent& event);
   Verdict finish();
   Verdict give_up();
-  void preview_stroke();
   void drag();
-  std::optional<PickedPlace> pick(const ViewFrame& frame, const Vec2& pixel) const;
   Document with_network(AttributeNetwork network) const;
 
   Session& session_;
@@ -162,6 +151,15 @@ class SurfaceTool {
   std::unique_ptr<SurfaceGesture> gesture_;  ///< null: none is under way
   SessionDrag drag_;
 };
+
+// ---- What can be dragged beside elements
+
+/// Handles of the selected curves (control_handles), without those at nodes.
+std::vector<ControlHandle> handles_of(const SurfaceTool& tool);
+/// Of each patch along the one selected curve.
+std::vector<SlopeTip> slopes_of(const SurfaceTool& tool);
+/// The ring of the one selected point; during a drag of it, as it is now. Empty for none.
+std::vector<Vec3> ring_of(const SurfaceTool& tool);
 
 /// Makes curves smooth, or where all of them are, creases.
 recorded::SurfaceJoin other_join(const AttributeNetwork& network, const std::vector<std::string>& curves);

@@ -208,18 +208,18 @@ void NetworkScene::show_handles(const SurfaceTool& tool, const AttributeNetwork&
     if (curve == no_index) continue;
     polygons.push_back(path_through(control_handles(network, network.curves[curve]), to_world));
   }
-  for (const ControlHandle& handle : tool.handles()) {
+  for (const ControlHandle& handle : handles_of(tool)) {
     const Index curve = find_element(network, NetworkElement::Curve, handle.curve);
     if (curve == no_index) continue;
     const Vec3 place = control_handles(network, network.curves[curve])[handle.control];
     handles.push_back(place_mark(to_world(place), render::MarkShape::Square, 8, colors::accent));
   }
-  for (const SlopeTip& slope : tool.slopes()) {
+  for (const SlopeTip& slope : slopes_of(tool)) {
     slopes.push_back(path_through({slope.frame.point, slope.tip}, to_world));
     const auto shape = slope.automatic ? render::MarkShape::Ring : render::MarkShape::Disc;
     tips.push_back(place_mark(to_world(slope.tip), shape, 10, colors::hover));
   }
-  if (const std::vector<Vec3> places = tool.ring(); places.size() > 2)
+  if (const std::vector<Vec3> places = ring_of(tool); places.size() > 2)
     ring.push_back(path_through(places, to_world, true));
   polygons_ = lines_of(polygons, {1, to_color(colors::accent, 170), {4, 3, 0, 0}, render::LineDepth::OnTop});
   slopes_ = lines_of(slopes, {2, to_color(colors::hover), {}, render::LineDepth::OnTop});

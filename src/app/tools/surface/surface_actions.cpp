@@ -82,7 +82,7 @@ void turn_patches(DrawnNetwork& network) {
 }
 
 void make_slopes_automatic(DrawnNetwork& network) {
-  for (const SlopeTip& slope : network.tool.slopes())
+  for (const SlopeTip& slope : slopes_of(network.tool))
     if (!slope.automatic) network.act(recorded::SurfaceSlope{slope.side, {}});
 }
 

@@ -215,7 +215,7 @@ void SurfaceChips::place_loop(const ViewPane& pane) {
 std::vector<PlacedText> SurfaceChips::numbers() const {
   std::vector<PlacedText> numbers;
   const SurfacePreview& preview = network_.tool.preview();
-  const std::vector<Vec3> ring = network_.tool.ring();
+  const std::vector<Vec3> ring = ring_of(network_.tool);
   if (preview.radius && !ring.empty())
     numbers.push_back({network_.to_world()(ring.front()), QObject::tr("radius %1").arg(number_words(*preview.radius)),
                        QColor("#f28c28")});

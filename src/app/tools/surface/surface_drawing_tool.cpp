@@ -368,10 +368,7 @@ bool SurfaceDrawingTool::command(EditCommand command) {
   }
   const bool deletes = command == EditCommand::Delete;
   if (!state().has_selection || !(deletes || command == EditCommand::SelectNone)) return false;
-  if (deletes)
-    network_.act(recorded::SurfaceDelete{network_.tool.selected()});
-  else
-    network_.act(recorded::SurfaceChoice{});
+  network_.act(deletes ? recorded::Step(recorded::SurfaceDelete{network_.tool.selected()}) : recorded::SurfaceChoice{});
   return true;
 }
 

@@ -59,7 +59,7 @@ const InnerCurve* first_inner(DrawnNetwork& network) {
 /// One for each patch along the selected curve; the middle handle stands for all.
 std::vector<SlopeTip> slopes_of(DrawnNetwork& network) {
   std::vector<SlopeTip> sides;
-  for (const SlopeTip& tip : network.tool.slopes()) {
+  for (const SlopeTip& tip : slopes_of(network.tool)) {
     if (std::ranges::find(sides, tip.side, &SlopeTip::side) == sides.end()) sides.push_back(tip);
   }
   return sides;
