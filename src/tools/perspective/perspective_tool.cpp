@@ -84,6 +84,20 @@ std::vector<std::string> chosen_by(const SheetGesture& gesture, const std::vecto
   return ids;
 }
 
+PerspectiveDrawing or_empty(const std::shared_ptr<const PerspectiveDrawing>& drawing,
+                            const PerspectiveToolOptions& options) {
+  return drawing ? *drawing : empty_sheet(options.sheet);
+}
+
+/// @param node of the drawing; 0: it becomes a new one
+Document with_drawing(const Document& document, NodeId node, PerspectiveDrawing drawing,
+                      const PerspectiveToolOptions& options) {
+  if (node == 0) return add_perspective_drawing(document, std::move(drawing), options);
+  Node edited = *document.find(node);
+  edited.source = std::make_shared<const PerspectiveDrawing>(std::move(drawing));
+  return document.with(std::move(edited));
+}
+
 }  // namespace
 
 Affine3 upright_placement() {
@@ -132,18 +146,6 @@ std::shared_ptr<const PerspectiveDrawing> PerspectiveTool::drawing() const {
 
 NodeId PerspectiveTool::operation_node() const { return operation_on(session_.document(), node(), options_.port); }
 
-PerspectiveDrawing PerspectiveTool::drawing_or_empty() const {
-  const auto now = drawing();
-  return now ? *now : empty_sheet(options_.sheet);
-}
-
-Document PerspectiveTool::with_drawing(PerspectiveDrawing drawing) const {
-  if (node() == 0) return add_perspective_drawing(session_.document(), std::move(drawing), options_);
-  Node edited = *session_.document().find(node());
-  edited.source = std::make_shared<const PerspectiveDrawing>(std::move(drawing));
-  return session_.document().with(std::move(edited));
-}
-
 SheetContext PerspectiveTool::context() const { return {solved_.get(), last_plane_, selected(), options_}; }
 
 Verdict PerspectiveTool::take(const recorded::Step& step) {
@@ -158,11 +160,11 @@ Verdict PerspectiveTool::take(const recorded::Step& step) {
     return Verdict::Commit;
   }
   if (!drawing() && stroke == nullptr) refuse_input("There is no drawing in perspective; begin one first.");
-  auto edit = edited_by(drawing_or_empty(), step, context());
+  auto edit = edited_by(or_empty(drawing(), options_), step, context());
   if (!edit) refuse_input("This step is none of the perspective tool.");
   if (!edit->changed) return stroke == nullptr ? Verdict::Continue : Verdict::Revert;
   done_ = edit->recorded.value_or(step);
-  session_.edit(edit->label, with_drawing(std::move(edit->drawing)));
+  session_.edit(edit->label, with_drawing(session_.document(), node(), std::move(edit->drawing), options_));
   return Verdict::Commit;
 }
 
@@ -238,7 +240,11 @@ void PerspectiveTool::go_on(const SketchEvent& event) {
   }
   if (now.kind == SheetGesture::Kind::Press && (now.last - now.from).norm() > options_.drag_pixels * unit) start_drag();
   if (now.kind == SheetGesture::Kind::Box) preview_.box = now.box();
-  if (now.original) drag();
+  if (!now.original) return;
+  now.step = dragged_step(now, options_.pick_pixels * unit);
+  SheetEdit edit = *edited_by(*now.original, *now.step, context());
+  if (!drag_.begun()) drag_.begin(edit.label);
+  drag_.to(with_drawing(session_.document(), node(), std::move(edit.drawing), options_));
 }
 
 void PerspectiveTool::start_drag() {
@@ -256,17 +262,9 @@ void PerspectiveTool::start_drag() {
   now.original = drawing();
 }
 
-void PerspectiveTool::drag() {
-  SheetGesture& now = *gesture_;
-  now.step = dragged_step(now, options_.pick_pixels * now.start.units_per_pixel);
-  SheetEdit edit = *edited_by(*now.original, *now.step, context());
-  if (!drag_.begun()) drag_.begin(edit.label);
-  drag_.to(with_drawing(std::move(edit.drawing)));
-}
-
 /// The group that the stroke under way will have, and the vertex that it would end at.
 void PerspectiveTool::preview_stroke() {
-  const PerspectiveDrawing now = drawing_or_empty();
+  const PerspectiveDrawing now = or_empty(drawing(), options_);
   preview_.snap.reset();
   if (role_ == StrokeRole::Edge) {
     const double reach = options_.snap_pixels * gesture_->start.units_per_pixel;

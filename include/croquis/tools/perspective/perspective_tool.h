@@ -111,11 +111,8 @@ class PerspectiveTool {
   Verdict finish();
   Verdict give_up();
   void start_drag();
-  void drag();
   void preview_stroke();
   SheetContext context() const;
-  Document with_drawing(PerspectiveDrawing drawing) const;
-  PerspectiveDrawing drawing_or_empty() const;
 
   Session& session_;
   PerspectiveToolOptions options_;
