@@ -29,6 +29,13 @@ struct SketchGesture {
   PickBox box() const { return PickBox::spanned(start.sample.position, last); }
 };
 
+/// What a gesture or a step makes of the drawing.
+struct SketchChange {
+  DrawingEdit edit;
+  std::string label;  ///< of the undo step
+  recorded::Step step;
+};
+
 namespace {
 
 // How undo steps are called.
@@ -74,6 +81,78 @@ double extent(const std::vector<StrokeSample>& samples) {
   for (const StrokeSample& sample : samples)
     largest = std::max(largest, (sample.position - samples.front().position).norm());
   return largest;
+}
+
+[[noreturn]] void refuse_stroke(const std::string& id) {
+  throw Error(make_error(Category::Usage, "E_INPUT",
+                         "The drawing has no stroke \"" + id + "\"; choose one of those it has.",
+                         {{SubjectKind::Stroke, id, {}, {}, {}}}));
+}
+
+/// What lies under the beginning of a gesture that selects: an anchor of a selected stroke, else a stroke.
+void pick(SketchGesture& now, SketchTool& tool, PickReach reach) {
+  const Vec2& place = now.start.sample.position;
+  reach.units_per_pixel = now.start.units_per_pixel;
+  now.original = tool.drawing();
+  if (!now.original) return;
+  for (const std::string& id : tool.selected()) {
+    const StrokeFit* selected_fit = tool.fit(id);
+    if (selected_fit == nullptr) continue;
+    now.anchor = nearest_anchor(selected_fit->anchors, place, reach);
+    if (!now.anchor) continue;
+    now.picked = id;
+    now.held_fit = *selected_fit;
+    return;
+  }
+  if (const auto picked = nearest_stroke(*now.original, place, reach)) now.picked = picked->id;
+}
+
+std::optional<SketchChange> drawn_stroke(const SketchEvent& start, const SketchPreview& drawn,
+                                         const std::shared_ptr<const Drawing>& before, double drag_pixels) {
+  // A tap is no stroke: it would only be reported as too short.
+  if (extent(drawn.ink) <= drag_pixels * start.units_per_pixel) return std::nullopt;
+  DrawOptions options;
+  options.units_per_pixel = start.units_per_pixel;
+  options.redraws = !start.modifiers.ctrl;
+  options.behind = drawn.behind;
+  DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, drawn.ink, options);
+  const std::string label =
+      edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
+  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind};
+  for (StrokeSample& sample : step.points) sample.time -= drawn.ink.front().time;
+  return SketchChange{std::move(edit), label, std::move(step)};
+}
+
+std::optional<SketchChange> erased_strokes(const SketchEvent& start, const SketchPreview& drawn,
+                                           const std::shared_ptr<const Drawing>& before, double eraser_pixels) {
+  if (!before || drawn.erased.empty()) return std::nullopt;
+  DrawingEdit edit = erase_along(*before, drawn.eraser, eraser_pixels * start.units_per_pixel);
+  if (!edit.any()) return std::nullopt;
+  recorded::StrokeDrawn step{"sketch", {}, device_name(start), start.units_per_pixel};
+  for (const Vec2& place : drawn.eraser) step.points.push_back({place, 1, Vec2::Zero(), 0});
+  const std::string label =
+      edit.changed.empty() ? strokes_label("Erase", edit.removed) : strokes_label("Erase part of", edit.changed);
+  return SketchChange{std::move(edit), label, std::move(step)};
+}
+
+/// The document with what an edit has made of the drawing; what is made of the drawing follows strokes that go.
+/// @param node of the drawing; 0: it becomes a new one
+Document with_edit(const Document& before, NodeId node, const DrawingEdit& edit, const SketchToolOptions& options) {
+  const Value drawing = std::make_shared<const Drawing>(edit.drawing);
+  const Node* old = before.find(node);
+  if (old == nullptr) return add_drawing(before, drawing, options);
+  Node edited = *old;
+  edited.source = drawing;
+  Document document = before.with(std::move(edited));
+  if (!options.follow_removal || edit.removed.empty()) return document;
+  for (const auto& made : before.nodes()) {
+    const auto input = made->inputs.find(options.port);
+    if (made->operation != options.operation || input == made->inputs.end() || input->second.node != node) continue;
+    Node following = *made;
+    following.parameters = options.follow_removal(std::move(following.parameters), edit.drawing);
+    document = document.with(std::move(following));
+  }
+  return document;
 }
 
 }  // namespace
@@ -129,20 +208,7 @@ void SketchTool::begin(const SketchEvent& event) {
     preview_.behind = event.right || event.modifiers.shift;
     return;
   }
-  now.original = drawing();
-  if (!now.original) return;
-  PickReach reach = options_.reach;
-  reach.units_per_pixel = event.units_per_pixel;
-  for (const std::string& id : selected()) {
-    const StrokeFit* selected_fit = fit(id);
-    if (selected_fit == nullptr) continue;
-    now.anchor = nearest_anchor(selected_fit->anchors, event.sample.position, reach);
-    if (!now.anchor) continue;
-    now.picked = id;
-    now.held_fit = *selected_fit;
-    return;
-  }
-  if (const auto picked = nearest_stroke(*now.original, event.sample.position, reach)) now.picked = picked->id;
+  pick(now, *this, options_.reach);
 }
 
 void SketchTool::go_on(const SketchEvent& event) {
@@ -162,9 +228,9 @@ void SketchTool::go_on(const SketchEvent& event) {
   if (now.kind == SketchGesture::Kind::Press && now.way().norm() > options_.drag_pixels * unit) start_drag();
   if (now.kind == SketchGesture::Kind::Box) preview_.box = now.box();
   if (now.kind != SketchGesture::Kind::Anchor && now.kind != SketchGesture::Kind::Strokes) return;
-  DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
-                                : move_strokes(*now.original, selected(), now.way());
-  drag_.to(with_drawing(std::move(edit.drawing)));
+  const DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
+                                      : move_strokes(*now.original, selected(), now.way());
+  drag_.to(with_edit(session_.document(), node(), edit, options_));
 }
 
 void SketchTool::start_drag() {
@@ -187,8 +253,10 @@ Verdict SketchTool::finish() {
   if (gesture_->kind == SketchGesture::Kind::Setting) return Verdict::Continue;
   const std::unique_ptr<const SketchGesture> gesture = std::exchange(gesture_, nullptr);
   const SketchPreview drawn = std::exchange(preview_, {});
-  if (gesture->kind == SketchGesture::Kind::Draw) return finish_drawing(*gesture, drawn);
-  if (gesture->kind == SketchGesture::Kind::Erase) return finish_erasing(*gesture, drawn);
+  if (gesture->kind == SketchGesture::Kind::Draw)
+    return commit(drawn_stroke(gesture->start, drawn, drawing(), options_.drag_pixels));
+  if (gesture->kind == SketchGesture::Kind::Erase)
+    return commit(erased_strokes(gesture->start, drawn, drawing(), options_.eraser_pixels));
   if (drag_.begun()) {
     done_ = recorded::Drag{gesture->picked, gesture->anchor, gesture->way()};
     drag_.end();
@@ -210,40 +278,12 @@ Verdict SketchTool::finish() {
   return Verdict::Commit;
 }
 
-Verdict SketchTool::commit(const std::string& label, Document document, recorded::Step step) {
-  done_ = std::move(step);
-  session_.edit(label, std::move(document));
+/// Nothing could be made of the drawing: what had begun is given up.
+Verdict SketchTool::commit(std::optional<SketchChange> change) {
+  if (!change) return Verdict::Revert;
+  done_ = std::move(change->step);
+  session_.edit(change->label, with_edit(session_.document(), node(), change->edit, options_));
   return Verdict::Commit;
-}
-
-Verdict SketchTool::finish_drawing(const SketchGesture& gesture, const SketchPreview& drawn) {
-  const SketchEvent& start = gesture.start;
-  // A tap is no stroke: it would only be reported as too short.
-  if (extent(drawn.ink) <= options_.drag_pixels * start.units_per_pixel) return Verdict::Revert;
-  const auto before = drawing();
-  DrawOptions options;
-  options.units_per_pixel = start.units_per_pixel;
-  options.redraws = !start.modifiers.ctrl;
-  options.behind = drawn.behind;
-  DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, drawn.ink, options);
-  const std::string label =
-      edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
-  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind};
-  for (StrokeSample& sample : step.points) sample.time -= drawn.ink.front().time;
-  return commit(label, with_drawing(std::move(edit.drawing)), std::move(step));
-}
-
-Verdict SketchTool::finish_erasing(const SketchGesture& gesture, const SketchPreview& drawn) {
-  const SketchEvent& start = gesture.start;
-  const auto before = drawing();
-  if (!before || drawn.erased.empty()) return Verdict::Revert;
-  DrawingEdit edit = erase_along(*before, drawn.eraser, options_.eraser_pixels * start.units_per_pixel);
-  if (!edit.any()) return Verdict::Revert;
-  recorded::StrokeDrawn step{"sketch", {}, device_name(start), start.units_per_pixel};
-  for (const Vec2& place : drawn.eraser) step.points.push_back({place, 1, Vec2::Zero(), 0});
-  const std::string label =
-      edit.changed.empty() ? strokes_label("Erase", edit.removed) : strokes_label("Erase part of", edit.changed);
-  return commit(label, without_strokes(std::move(edit)), std::move(step));
 }
 
 // ---- Commands
@@ -255,7 +295,7 @@ Verdict SketchTool::delete_selected() {
   DrawingEdit edit = remove_strokes(*before, selected());
   if (!edit.any()) return Verdict::Continue;
   const std::string label = strokes_label("Delete", edit.removed);
-  return commit(label, without_strokes(std::move(edit)), recorded::Action{"delete"});
+  return commit(SketchChange{std::move(edit), label, recorded::Action{"delete"}});
 }
 
 void SketchTool::select_all() {
@@ -271,16 +311,12 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
   give_up();
   const auto before = drawing();
   const StrokeFit* stroke_fit = fit(stroke);
-  if (!before || stroke_fit == nullptr) {
-    throw Error(make_error(Category::Usage, "E_INPUT",
-                           "The drawing has no stroke \"" + stroke + "\"; choose one of those it has.",
-                           {{SubjectKind::Stroke, stroke, {}, {}, {}}}));
-  }
+  if (!before || stroke_fit == nullptr) refuse_stroke(stroke);
   std::vector<std::string> ids = selected();
   if (!contains(ids, stroke)) ids = {stroke};
   DrawingEdit edit = anchor ? drag_anchor(*before, stroke, *stroke_fit, *anchor, by) : move_strokes(*before, ids, by);
-  return commit(anchor ? point_label(stroke) : strokes_label("Move", ids), with_drawing(std::move(edit.drawing)),
-                recorded::Drag{stroke, anchor, by});
+  return commit(SketchChange{std::move(edit), anchor ? point_label(stroke) : strokes_label("Move", ids),
+                             recorded::Drag{stroke, anchor, by}});
 }
 
 Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
@@ -294,10 +330,9 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   DrawingEdit edit = setting.kind          ? set_kind(now, id, *setting.kind)
                      : setting.in_front_of ? set_in_front(now, id, *setting.in_front_of)
                                            : set_thickness(now, id, setting.thickness.value_or(1));
-  Document document = with_drawing(std::move(edit.drawing));
-  if (!dragging && !goes_on) return commit(setting_label(setting), std::move(document), setting);
+  if (!dragging && !goes_on) return commit(SketchChange{std::move(edit), setting_label(setting), setting});
   if (!goes_on) drag_.begin(setting_label(setting));
-  drag_.to(std::move(document));
+  drag_.to(with_edit(session_.document(), node(), edit, options_));
   gesture_ = dragging ? std::make_unique<SketchGesture>(SketchGesture{SketchGesture::Kind::Setting, {}, {}}) : nullptr;
   if (dragging) return Verdict::Continue;
   drag_.end();
@@ -311,31 +346,6 @@ NodeId SketchTool::node() const { return source_node<Drawing>(session_.document(
 
 std::shared_ptr<const Drawing> SketchTool::drawing() const {
   return source_of<Drawing>(session_.document().find(node()));
-}
-
-Document SketchTool::with_drawing(Drawing drawing) const {
-  const Document& document = session_.document();
-  const Value value = std::make_shared<const Drawing>(std::move(drawing));
-  if (const Node* old = document.find(node())) {
-    Node edited = *old;
-    edited.source = value;
-    return document.with(std::move(edited));
-  }
-  return add_drawing(document, value, options_);
-}
-
-Document SketchTool::without_strokes(DrawingEdit edit) const {
-  const auto drawing = std::make_shared<const Drawing>(edit.drawing);
-  Document document = with_drawing(std::move(edit.drawing));
-  if (!options_.follow_removal || edit.removed.empty()) return document;
-  for (const auto& made : session_.document().nodes()) {
-    const auto input = made->inputs.find(options_.port);
-    if (made->operation != options_.operation || input == made->inputs.end() || input->second.node != node()) continue;
-    Node following = *made;
-    following.parameters = options_.follow_removal(std::move(following.parameters), *drawing);
-    document = document.with(std::move(following));
-  }
-  return document;
 }
 
 Document add_drawing(const Document& document, Value drawing, const SketchToolOptions& options) {

@@ -50,6 +50,7 @@ struct SketchPreview {
 };
 
 struct SketchGesture;
+struct SketchChange;
 
 /// The silhouette pen: draws, selects, bends and erases strokes of one drawing node of a session.
 ///
@@ -107,12 +108,8 @@ class SketchTool {
   void go_on(const SketchEvent& event);
   void start_drag();
   Verdict finish();
-  Verdict finish_drawing(const SketchGesture& gesture, const SketchPreview& drawn);
-  Verdict finish_erasing(const SketchGesture& gesture, const SketchPreview& drawn);
   Verdict give_up();
-  Verdict commit(const std::string& label, Document document, recorded::Step step);
-  Document with_drawing(Drawing drawing) const;
-  Document without_strokes(DrawingEdit edit) const;
+  Verdict commit(std::optional<SketchChange> change);
 
   Session& session_;
   SketchToolOptions options_;
