@@ -44,6 +44,30 @@ struct PenOptions {
   double pressure_gamma = 1;       ///< pressure curve: pressure^gamma; below 1 is softer. > 0
 };
 
+/// What a PenInput has seen.
+struct PenState {
+  enum class Phase {
+    Idle,
+    Waiting,  ///< touching, but the first point has no pressure yet
+    Drawing   ///< Begin was reported
+  };
+
+  PenOptions options;
+  Phase phase = Phase::Idle;
+  PenStep owner;                   ///< device, end, view and modifiers of the stroke under way or the last one
+  std::vector<PenSample> samples;  ///< of the stroke under way or the last one
+  bool has_pressure = false;       ///< of the stroke under way: some sample had one
+  double ended = -1e300;           ///< when the last stroke ended
+
+  std::optional<double> lost_since;    ///< sight of the drawing pen was lost
+  std::vector<PenSample> trail;        ///< where the pen has been within twin_seconds
+  double pen_seen = -1e300;            ///< its last event
+  bool pen_touches = false;            ///< contact has been reported by a pen itself, not only by its mouse copy
+  bool pen_muted = false;              ///< until it is lifted
+  bool mouse_muted = false;            ///< until its button is up
+  std::vector<PointerEvent> suspects;  ///< mouse events near a hovering pen, until it is clear whose they are
+};
+
 /// Turns the raw stream of tablet and mouse events into clean strokes.
 ///
 /// Drivers send pen events, mouse copies of them, or both, in any order; proximity, presses and releases may be missing
@@ -58,7 +82,7 @@ struct PenOptions {
 /// Pure: time comes with the events. O(1) per event and O(samples of the last stroke) per mouse press.
 class PenInput {
  public:
-  explicit PenInput(PenOptions options = {}) : options_(options) {}
+  explicit PenInput(PenOptions options = {}) { state_.options = options; }
 
   /// In the order in which they happened; mostly none or one.
   std::vector<PenStep> handle(const PointerEvent& event);
@@ -70,57 +94,13 @@ class PenInput {
   std::vector<PenStep> cancel();
 
   /// Whether a stroke is under way.
-  bool down() const { return phase_ != Phase::Idle; }
+  bool down() const { return state_.phase != PenState::Phase::Idle; }
 
-  const PenOptions& options() const { return options_; }
-  void set_options(PenOptions options) { options_ = options; }
+  const PenOptions& options() const { return state_.options; }
+  void set_options(PenOptions options) { state_.options = options; }
 
  private:
-  enum class Phase {
-    Idle,
-    Waiting,  ///< touching, but the first point has no pressure yet
-    Drawing   ///< Begin was reported
-  };
-  using Steps = std::vector<PenStep>;
-
-  void pen_event(const PointerEvent& event, Steps& steps);
-  void pen_press(const PointerEvent& event, Steps& steps);
-  void pen_moved_touching(const PointerEvent& event, Steps& steps);
-  void pen_lifted(const PointerEvent& event, Steps& steps);
-  void mouse_event(const PointerEvent& event, Steps& steps);
-  void mouse_press(const PointerEvent& event, Steps& steps);
-  void mouse_suspect(const PointerEvent& event, Steps& steps);
-  void left_view(const PointerEvent& event, Steps& steps);
-  void end_if_lost(double now, Steps& steps);
-
-  void begin(const PointerEvent& event, Steps& steps);
-  void extend(const PointerEvent& event, Steps& steps);
-  void report_waiting(double pressure, Steps& steps);
-  void finish(PenStep::Kind kind, double time, Steps& steps);
-  void release_suspects(Steps& steps);
-  void note_pen(const PointerEvent& event);
-  bool draws_alone(const Buttons& buttons) const;
-  bool is_repeated_press(const PointerEvent& event) const;
-  bool is_copy_of_pen(const PointerEvent& event) const;
-  bool is_twin_of_mouse_stroke(const PointerEvent& event) const;
-  bool pen_draws() const { return down() && is_pen(owner_.device); }
-  bool mouse_draws() const { return down() && !is_pen(owner_.device); }
-  bool ended_by_pen() const { return !down() && !samples_.empty() && is_pen(owner_.device); }
-
-  PenOptions options_;
-  Phase phase_ = Phase::Idle;
-  PenStep owner_;                   ///< device, end, view and modifiers of the stroke under way or the last one
-  std::vector<PenSample> samples_;  ///< of the stroke under way or the last one
-  bool has_pressure_ = false;       ///< of the stroke under way: some sample had one
-  double ended_ = -1e300;           ///< when the last stroke ended
-
-  std::optional<double> lost_since_;    ///< sight of the drawing pen was lost
-  std::vector<PenSample> trail_;        ///< where the pen has been within twin_seconds
-  double pen_seen_ = -1e300;            ///< its last event
-  bool pen_touches_ = false;            ///< contact has been reported by a pen itself, not only by its mouse copy
-  bool pen_muted_ = false;              ///< until it is lifted
-  bool mouse_muted_ = false;            ///< until its button is up
-  std::vector<PointerEvent> suspects_;  ///< mouse events near a hovering pen, until it is clear whose they are
+  PenState state_;
 };
 
 }  // namespace croquis
