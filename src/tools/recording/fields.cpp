@@ -52,7 +52,7 @@ FieldJson json_of(const Vector& numbers) {
 
 }  // namespace
 
-struct Fields::State {
+struct FieldState {
   bool reads = false;
   FieldJson object = FieldJson::object();
   std::set<std::string> known;
@@ -65,7 +65,7 @@ struct Fields::State {
 
   /// Reads a value as `take` understands the field, or writes it.
   template <typename T, typename Take>
-  void exchange(const std::string& name, T& value, const Take& take) {
+  void take_or_put(const std::string& name, T& value, const Take& take) {
     if (!reads) {
       object[name] = value;
       return;
@@ -76,92 +76,94 @@ struct Fields::State {
   }
 
   template <typename Vector>
-  void exchange_vector(const std::string& name, Vector& value, const char* expected) {
+  void take_or_put_vector(const std::string& name, Vector& value, const char* expected) {
     FieldJson numbers = json_of(value);
-    exchange(name, numbers, [](const FieldJson& field) { return field; });
+    take_or_put(name, numbers, [](const FieldJson& field) { return field; });
     if (reads) value = as_vector<Vector>(numbers, name, expected);
   }
 };
 
 Fields::Fields(std::string_view line, const Vocabulary& vocabulary)
-    : state_(std::make_unique<State>()), vocabulary_(&vocabulary) {
+    : state_(std::make_unique<FieldState>()), vocabulary_(&vocabulary) {
   state_->reads = true;
   state_->object = FieldJson::parse(line, nullptr, false);
   if (!state_->object.is_object()) throw Mistake{"it is no JSON object"};
 }
 
-Fields::Fields() : state_(std::make_unique<State>()) {}
+Fields::Fields() : state_(std::make_unique<FieldState>()) {}
 
 Fields::~Fields() = default;
 
+bool reads(const FieldState& state) { return state.reads; }
+
 bool Fields::has(const std::string& name) { return state_->find(name) != nullptr; }
 
-void Fields::exchange(const std::string& name, std::string& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, std::string& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!field.is_string()) throw Mistake{quoted(name) + " must be a text"};
     return field.get<std::string>();
   });
 }
 
-void Fields::exchange(const std::string& name, std::string& value, const Words& words) {
-  exchange(name, value);
-  if (!reads() || std::ranges::find(words, value) != words.end()) return;
+void exchange(FieldState& state, const std::string& name, std::string& value, const Words& words) {
+  exchange(state, name, value);
+  if (!state.reads || std::ranges::find(words, value) != words.end()) return;
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
   throw Mistake{quoted(name) + " must be one of " + list};
 }
 
-void Fields::exchange(const std::string& name, bool& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, bool& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!field.is_boolean()) throw Mistake{quoted(name) + " must be true or false"};
     return field.get<bool>();
   });
 }
 
-void Fields::exchange(const std::string& name, double& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, double& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!is_usable(field)) throw Mistake{quoted(name) + " must be a finite number"};
     return field.get<double>();
   });
 }
 
-void Fields::exchange(const std::string& name, double& value, const OrInfinite&) {
+void exchange(FieldState& state, const std::string& name, double& value, const OrInfinite&) {
   FieldJson number = std::isinf(value) ? FieldJson("inf") : FieldJson(value);
-  state_->exchange(name, number, [&](const FieldJson& field) {
+  state.take_or_put(name, number, [&](const FieldJson& field) {
     if (field == "inf") return FieldJson(std::numeric_limits<double>::infinity());
     if (!is_usable(field) || field.get<double>() < 0)
       throw Mistake{quoted(name) + " must be a number of at least 0, or \"inf\""};
     return field;
   });
-  if (reads()) value = number.get<double>();
+  if (state.reads) value = number.get<double>();
 }
 
-void Fields::exchange(const std::string& name, std::int64_t& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, std::int64_t& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!field.is_number_integer() || field.get<double>() < 0 || field.get<double>() > 1e15)
       throw Mistake{quoted(name) + " must be a whole number of at least 0"};
     return field.get<std::int64_t>();
   });
 }
 
-void Fields::exchange(const std::string& name, std::size_t& value) {
+void exchange(FieldState& state, const std::string& name, std::size_t& value) {
   auto number = static_cast<std::int64_t>(value);
-  exchange(name, number);
+  exchange(state, name, number);
   value = static_cast<std::size_t>(number);
 }
 
-void Fields::exchange(const std::string& name, int& value) {
+void exchange(FieldState& state, const std::string& name, int& value) {
   std::int64_t number = value;
-  exchange(name, number);
+  exchange(state, name, number);
   value = static_cast<int>(number);
 }
 
-void Fields::exchange(const std::string& name, Index& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) { return as_index(field, name); });
+void exchange(FieldState& state, const std::string& name, Index& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) { return as_index(field, name); });
 }
 
-void Fields::exchange(const std::string& name, std::vector<Index>& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, std::vector<Index>& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!field.is_array()) throw Mistake{quoted(name) + " must be a list of whole numbers"};
     std::vector<Index> values;
     for (const FieldJson& element : field) values.push_back(as_index(element, name));
@@ -169,8 +171,8 @@ void Fields::exchange(const std::string& name, std::vector<Index>& value) {
   });
 }
 
-void Fields::exchange(const std::string& name, std::vector<std::string>& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, std::vector<std::string>& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     const bool named = field.is_array() && !field.empty() &&
                        std::ranges::all_of(field, [](const FieldJson& element) { return element.is_string(); });
     if (!named) throw Mistake{quoted(name) + " must be a list of names"};
@@ -178,8 +180,8 @@ void Fields::exchange(const std::string& name, std::vector<std::string>& value) 
   });
 }
 
-void Fields::exchange(const std::string& name, std::vector<std::vector<double>>& value) {
-  state_->exchange(name, value, [&](const FieldJson& field) {
+void exchange(FieldState& state, const std::string& name, std::vector<std::vector<double>>& value) {
+  state.take_or_put(name, value, [&](const FieldJson& field) {
     if (!field.is_array() || field.empty()) throw Mistake{quoted(name) + " must be a list of at least one list"};
     std::vector<std::vector<double>> lists;
     for (const FieldJson& list : field) lists.push_back(number_list(list, name));
@@ -187,38 +189,39 @@ void Fields::exchange(const std::string& name, std::vector<std::vector<double>>&
   });
 }
 
-void Fields::exchange(const std::string& name, std::vector<Vec2>& value) {
+template <typename Vector>
+void exchange_places(FieldState& state, const std::string& name, std::vector<Vector>& value, const char* numbers) {
   std::vector<std::vector<double>> places;
-  for (const Vec2& place : value) places.emplace_back(place.begin(), place.end());
-  exchange(name, places);
+  for (const Vector& place : value) places.emplace_back(place.begin(), place.end());
+  exchange(state, name, places);
   value.clear();
   for (const std::vector<double>& place : places) {
-    if (place.size() != 2) throw Mistake{quoted(name) + " must be a list of places of two numbers"};
-    value.emplace_back(place[0], place[1]);
+    if (place.size() != Vector::SizeAtCompileTime)
+      throw Mistake{quoted(name) + " must be a list of places of " + numbers + " numbers"};
+    value.emplace_back(Eigen::Map<const Vector>(place.data()));
   }
 }
 
-void Fields::exchange(const std::string& name, std::vector<Vec3>& value) {
-  std::vector<std::vector<double>> places;
-  for (const Vec3& place : value) places.emplace_back(place.begin(), place.end());
-  exchange(name, places);
-  value.clear();
-  for (const std::vector<double>& place : places) {
-    if (place.size() != 3) throw Mistake{quoted(name) + " must be a list of places of three numbers"};
-    value.emplace_back(place[0], place[1], place[2]);
-  }
+void exchange(FieldState& state, const std::string& name, std::vector<Vec2>& value) {
+  exchange_places(state, name, value, "two");
 }
 
-void Fields::exchange(const std::string& name, Vec2& value) {
-  state_->exchange_vector(name, value, "a pair of numbers");
+void exchange(FieldState& state, const std::string& name, std::vector<Vec3>& value) {
+  exchange_places(state, name, value, "three");
 }
 
-void Fields::exchange(const std::string& name, Vec3& value) { state_->exchange_vector(name, value, "three numbers"); }
+void exchange(FieldState& state, const std::string& name, Vec2& value) {
+  state.take_or_put_vector(name, value, "a pair of numbers");
+}
 
-void Fields::exchange(const std::string& name, ParameterValue& value) {
+void exchange(FieldState& state, const std::string& name, Vec3& value) {
+  state.take_or_put_vector(name, value, "three numbers");
+}
+
+void exchange(FieldState& state, const std::string& name, ParameterValue& value) {
   FieldJson json = std::visit([](const auto& held) { return FieldJson(held); }, value);
-  state_->exchange(name, json, [](const FieldJson& field) { return field; });
-  if (!reads()) return;
+  state.take_or_put(name, json, [](const FieldJson& field) { return field; });
+  if (!state.reads) return;
   if (json.is_boolean()) {
     value = json.get<bool>();
   } else if (json.is_number_integer()) {
@@ -236,15 +239,15 @@ void Fields::place(const std::string& name, Vec2& sketch, ModelPlace& model) {
   if (const FieldJson* field = reads() ? state_->find(name) : nullptr)
     model = field->is_array() && field->size() == 3 ? ModelPlace(Vec3::Zero()) : std::nullopt;
   if (model) {
-    exchange(name, *model);
+    exchange(*state_, name, *model);
   } else {
-    exchange(name, sketch);
+    exchange(*state_, name, sketch);
   }
 }
 
 void Fields::modifiers(std::vector<std::string>& modifiers) {
   if (reads() ? !has("modifiers") : modifiers.empty()) return;
-  state_->exchange("modifiers", modifiers, [](const FieldJson& field) {
+  state_->take_or_put("modifiers", modifiers, [](const FieldJson& field) {
     if (!field.is_array()) throw Mistake{"\"modifiers\" must be a list of names"};
     const bool known = std::ranges::all_of(field, [](const FieldJson& key) {
       return key.is_string() && std::ranges::find(modifier_keys, key.get<std::string>()) != modifier_keys.end();

@@ -30,6 +30,38 @@ struct Mistake {
   std::string sentence;
 };
 
+/// What has been read or written of a line.
+struct FieldState;
+
+bool reads(const FieldState& state);
+
+// Reads a value from its field, or writes it there. @throws Mistake, as Fields says
+void exchange(FieldState& state, const std::string& name, std::string& value);
+void exchange(FieldState& state, const std::string& name, std::string& value, const Words& words);
+void exchange(FieldState& state, const std::string& name, bool& value);
+void exchange(FieldState& state, const std::string& name, double& value);
+void exchange(FieldState& state, const std::string& name, double& value, const OrInfinite&);
+void exchange(FieldState& state, const std::string& name, std::int64_t& value);  ///< 0 or more
+void exchange(FieldState& state, const std::string& name, std::size_t& value);
+void exchange(FieldState& state, const std::string& name, int& value);
+void exchange(FieldState& state, const std::string& name, Index& value);                             ///< below no_index
+void exchange(FieldState& state, const std::string& name, std::vector<Index>& value);                ///< of these
+void exchange(FieldState& state, const std::string& name, std::vector<std::string>& value);          ///< at least one
+void exchange(FieldState& state, const std::string& name, std::vector<std::vector<double>>& value);  ///< at least one
+void exchange(FieldState& state, const std::string& name, std::vector<Vec2>& value);                 ///< at least one
+void exchange(FieldState& state, const std::string& name, std::vector<Vec3>& value);                 ///< at least one
+void exchange(FieldState& state, const std::string& name, Vec2& value);
+void exchange(FieldState& state, const std::string& name, Vec3& value);
+void exchange(FieldState& state, const std::string& name, ParameterValue& value);
+
+/// A value of an enumeration, or a number that counts from 0.
+template <typename T>
+void exchange(FieldState& state, const std::string& name, T& value, const Words& words) {
+  std::string word = reads(state) ? std::string() : words[static_cast<std::size_t>(value)];
+  exchange(state, name, word, words);
+  value = static_cast<T>(std::ranges::find(words, word) - words.begin());
+}
+
 /// The fields of one recorded line, by name and type. A step lists its members once, in the order of the line: when a
 /// line is read, they get its values, and when one is written, it gets theirs. Numbers read back exactly.
 ///
@@ -56,25 +88,25 @@ class Fields {
   /// A field of every line. Of a member that may be absent, one that must be there is read.
   template <typename T, typename... Form>
   void required(const std::string& name, T& value, const Form&... form) {
-    exchange(name, value, form...);
+    exchange(*state_, name, value, form...);
   }
 
   template <typename T, typename... Form>
   void required(const std::string& name, std::optional<T>& value, const Form&... form) {
     if (reads()) value.emplace();
-    if (value) exchange(name, *value, form...);
+    if (value) exchange(*state_, name, *value, form...);
   }
 
   /// A field of every line that is written; where it is absent, the member stays as it is.
   template <typename T, typename... Form>
   void given(const std::string& name, T& value, const Form&... form) {
-    if (!reads() || has(name)) exchange(name, value, form...);
+    if (!reads() || has(name)) exchange(*state_, name, value, form...);
   }
 
   /// A field that is written when the member has a value, or one that isn't that of its type (none, false, empty, 0).
   template <typename T, typename... Form>
   void seldom(const std::string& name, T& value, const Form&... form) {
-    if (reads() ? has(name) : value != T()) exchange(name, value, form...);
+    if (reads() ? has(name) : value != T()) exchange(*state_, name, value, form...);
   }
 
   template <typename T, typename... Form>
@@ -100,34 +132,7 @@ class Fields {
   std::string line() const;
 
  private:
-  void exchange(const std::string& name, std::string& value);
-  void exchange(const std::string& name, std::string& value, const Words& words);
-  void exchange(const std::string& name, bool& value);
-  void exchange(const std::string& name, double& value);
-  void exchange(const std::string& name, double& value, const OrInfinite&);
-  void exchange(const std::string& name, std::int64_t& value);  ///< 0 or more
-  void exchange(const std::string& name, std::size_t& value);
-  void exchange(const std::string& name, int& value);
-  void exchange(const std::string& name, Index& value);                             ///< below no_index
-  void exchange(const std::string& name, std::vector<Index>& value);                ///< of these
-  void exchange(const std::string& name, std::vector<std::string>& value);          ///< at least one
-  void exchange(const std::string& name, std::vector<std::vector<double>>& value);  ///< at least one
-  void exchange(const std::string& name, std::vector<Vec2>& value);                 ///< at least one
-  void exchange(const std::string& name, std::vector<Vec3>& value);                 ///< at least one
-  void exchange(const std::string& name, Vec2& value);
-  void exchange(const std::string& name, Vec3& value);
-  void exchange(const std::string& name, ParameterValue& value);
-
-  /// A value of an enumeration, or a number that counts from 0.
-  template <typename T>
-  void exchange(const std::string& name, T& value, const Words& words) {
-    std::string word = reads() ? std::string() : words[static_cast<std::size_t>(value)];
-    exchange(name, word, words);
-    value = static_cast<T>(std::ranges::find(words, word) - words.begin());
-  }
-
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<FieldState> state_;
   const Vocabulary* vocabulary_ = nullptr;
 };
 
