@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "app/replay/replay_player.h"
-#include "app/window/icons.h"
 #include "app/window/main_window.h"
 #include "app/window/theme.h"
 #include "croquis/base/error.h"
@@ -113,14 +112,14 @@ int run(const LaunchOptions& options) {
   if (unattended) {
     window.set_unattended();
   } else {
-    window.remember_layout();
+    remember_layout(window);
   }
   window.show();
   if (!options.record.isEmpty() && !window.attempt([&] { window.record_to(options.record); })) {
     return print_findings(window.last_findings());
   }
   if (options.new_kind == "silhouette")
-    window.start_sketch();
+    window.start_with();
   else if (!options.new_kind.isEmpty())
     window.action("new-" + options.new_kind)->trigger();
   for (const QString& file : options.files) {

@@ -29,7 +29,7 @@ StudioFixture::StudioFixture()
   window_->resize(window_size);
   window_->show();
   (void)QTest::qWaitForWindowExposed(window_.get());
-  window_->start_sketch();
+  window_->start_with();
   wait_for([this] { return viewport().frames() > 0; });
   settle();  // panels get their sizes: views are where they stay
 }

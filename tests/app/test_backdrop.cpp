@@ -121,7 +121,7 @@ TEST_CASE("a picture opened in an empty studio begins a perspective drawing as l
 
 TEST_CASE("a picture dropped on a sketch that has begun lies behind it, and strokes are drawn over it", "[backdrop]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   drop(hand, saved_photo(hand, "photo.jpg"));
   REQUIRE(hand.wait_for([&] { return backdrop_of(hand) != nullptr && hand.viewport().settled(); }));
   CHECK(hand.studio().sheet_node() == 0);
@@ -168,7 +168,7 @@ TEST_CASE("the picture is moved and scaled by hand and by numbers; each is one s
 
 TEST_CASE("a changed picture computes nothing again", "[backdrop]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   drop(hand, saved_photo(hand, "photo.png"));
   REQUIRE(hand.wait_for([&] { return backdrop_of(hand) != nullptr; }));
   hand.draw({{-100, -50}, {-100, 50}, {100, 50}, {100, -50}, {-100, -50}});
@@ -202,7 +202,7 @@ TEST_CASE("a picture is saved in the project and is there again after a crash", 
   REQUIRE(hand.window().open(project));
   CHECK(backdrop_of(hand)->visible);
   REQUIRE(hand.wait_for([&] { return hand.viewport().settled(); }));
-  hand.window().show_views();
+  app::show_views(hand.window());
   CHECK(is_red(color_at(hand, {100, -100})));
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("large pictures and those turned by their file are shown as people see
 TEST_CASE("a picture that is dropped to be traced becomes strokes and a solid in one step", "[backdrop]") {
   for (const char* name : {"sheet.png", "sheet.jpg"}) {
     StudioFixture hand;
-    hand.window().start_sketch();
+    hand.window().start_with();
     hand.draw({{-500, -50}, {-500, 50}, {-400, 50}, {-400, -50}, {-500, -50}});
     const std::size_t steps = hand.studio().session().undo_labels().size();
     const std::size_t objects = hand.studio().objects().size();
@@ -278,7 +278,7 @@ TEST_CASE("a picture that is dropped to be traced becomes strokes and a solid in
 TEST_CASE("a traced picture fills a sketch that was begun; a dropped one that isn't wanted changes nothing",
           "[backdrop]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   drop(hand, saved_sheet(hand, "sheet.png"), "");
   hand.settle();
   CHECK(hand.studio().objects().empty());
@@ -292,7 +292,7 @@ TEST_CASE("a traced picture fills a sketch that was begun; a dropped one that is
 
 TEST_CASE("a picture without lines isn't traced, and says so", "[backdrop]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   QImage blank(400, 300, QImage::Format_RGB32);
   blank.fill(Qt::white);
   const QString path = hand.folder() + "/blank.png";

@@ -61,7 +61,7 @@ void add_subdivision(StudioFixture& hand) {
 
 /// Of few faces: more are slow to draw without a graphics card.
 void draw_ball(StudioFixture& hand) {
-  hand.window().start_sketch();
+  hand.window().start_with();
   hand.look_at({-200, -200}, {200, 200});
   hand.draw(circle({0, 0}, 80));
   hand.settle();
@@ -221,7 +221,7 @@ TEST_CASE("after a crash edits that wait show their last result, what they wait 
 
 TEST_CASE("sketches side by side have their own solids, and the pen draws in the one worked on", "[chains]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   hand.look_at({-200, -200}, {200, 200});
   hand.draw(circle({-60, 0}, 50));
   hand.settle();
@@ -248,7 +248,7 @@ TEST_CASE("sketches side by side have their own solids, and the pen draws in the
 
 TEST_CASE("a sketch seen from the top stands on its own plane", "[chains]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   hand.act("add-sketch-top");
   hand.look_at({-200, -200}, {200, 200});
   hand.draw(circle({20, 60}, 100));

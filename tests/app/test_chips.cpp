@@ -117,7 +117,7 @@ TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "
   Viewport& view = hand.viewport();
   check_apart(view);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    hand.window().start_sketch();
+    hand.window().start_with();
     hand.look_at({-250, -250}, {250, 250});
     for (const auto& line : unfinished_lines(seed)) hand.draw(line);
     hand.settle();
@@ -127,7 +127,7 @@ TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "
   }
   for (const char* sample : {"dog", "octopus", "duck"}) {
     hand.window().files().start_sample(sample);
-    hand.window().show_views();
+    app::show_views(hand.window());
     hand.settle();
     INFO(sample);
     check_apart(view);
@@ -146,7 +146,7 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is shown w
   StudioFixture hand;
   Viewport& view = hand.viewport();
   for (std::uint64_t seed = 10; seed < 14; ++seed) {
-    hand.window().start_sketch();
+    hand.window().start_with();
     hand.look_at({-250, -250}, {250, 250});
     for (const auto& line : unfinished_lines(seed)) hand.draw(line);
     hand.settle();

@@ -125,7 +125,7 @@ TEST_CASE("a camera file states the camera of the sheet, at the sheet's own size
 TEST_CASE("the sheet takes other sizes and shapes, and strokes keep their places", "[drawing-files]") {
   StudioFixture hand;
   app::start_with(hand.studio(), drawn(box(), three_point_views()[1]).drawing);
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   const Vec2 place = sheet_in(hand).drawing().strokes[0].start();
   auto* width = hand.window().findChild<QDoubleSpinBox*>("sheet-width");
@@ -147,7 +147,7 @@ TEST_CASE("the sheet takes other sizes and shapes, and strokes keep their places
 TEST_CASE("the camera of an object is a view of the scene, with any tool and beside other objects", "[drawing-files]") {
   StudioFixture hand;
   app::start_with(hand.studio(), drawn(bottle(), off_centre_view()).drawing);
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   QAction* camera = hand.window().action("camera-1");
   REQUIRE(camera->isVisible());

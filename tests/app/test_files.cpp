@@ -294,7 +294,7 @@ TEST_CASE("a project that is open in another window is reported, and saving over
   hand.act("save");  // its own file: nothing to ask
   CHECK(!hand.window().files().has_changed(project));
   // Once the first one has something else open, nobody is in the way.
-  hand.window().start_sketch();
+  hand.window().start_with();
   CHECK(!other->files().is_open_elsewhere(project));
 }
 

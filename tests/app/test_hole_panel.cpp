@@ -246,7 +246,7 @@ TEST_CASE("the line below speaks of what is there: holes, and files that can't b
   file.write("ply\nformat ascii 1.0\nelement vertex 40000000\nproperty float x\nend_header\n");
   file.close();
   const std::size_t objects = hand.studio().objects().size();
-  hand.window().import({damaged});
+  app::import_files(hand.window(), {damaged});
   REQUIRE(hand.wait_for([&] { return label(hand, "message").contains("damaged.ply"); }));
   CHECK(!label(hand, "message").contains(hand.folder()));
   CHECK(hand.studio().objects().size() == objects);

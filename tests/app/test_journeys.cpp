@@ -82,7 +82,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   const QString project = hand.folder() + "/snake.croq";
   hand.window().files().save(project);
   CHECK(!session.modified());
-  hand.window().start_sketch();
+  hand.window().start_with();
   hand.settle();
   CHECK(hand.studio().drawing().strokes.empty());
   CHECK(hand.studio().solid() == nullptr);
@@ -95,7 +95,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   app::export_solid(hand.studio(), solid);
   CHECK(passes_check(solid));
   const QString picture = hand.folder() + "/snake.png";
-  hand.window().export_picture(picture);
+  hand.viewport().export_picture(hand.window().parts().pictures, picture);
   CHECK(QImage(picture).height() > 1000);
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("work that a crash left is offered and comes back whole", "[journey]")
   REQUIRE(offers.size() == 1);
   CHECK(!offers.front().thumbnail.isNull());
   hand.window().files().recover(offers.front());
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   CHECK(content_hash(hand.studio().session().document()) == drawn);
   CHECK(hand.studio().session().modified());

@@ -323,13 +323,13 @@ TEST_CASE("every action works by its name, on meshes and on a sketch", "[actions
            !name.startsWith("export");
   };
   for (const bool meshes : {true, false}) {
-    hand.window().start_sketch();
+    hand.window().start_with();
     for (QAction* action : hand.window().actions()) {
       if (!may_run(action->objectName())) continue;
       INFO(action->objectName().toStdString());
       if (meshes && hand.studio().active() == nullptr) {
         hand.window().files().start_sample("cube_corner");
-        hand.window().show_views();
+        app::show_views(hand.window());
       }
       if (meshes) {
         hand.act("face-mode");
@@ -388,13 +388,13 @@ TEST_CASE("a large mesh is read while the window goes on, and can be given up", 
   QTimer ticking;
   QObject::connect(&ticking, &QTimer::timeout, [&] { ++ticks; });
   ticking.start(5);
-  hand.window().begin_open({file});
+  app::begin_open(hand.window(), {file});
   CHECK(hand.window().files().reader().busy());
   CHECK(hand.wait_for([&] { return hand.window().settled(); }));
   CHECK(ticks > 0);
   CHECK(faces_shown(hand) == std::size_t{side} * side);
   CHECK(!hand.viewport().objects().surfaces().empty());
-  hand.window().import({file});
+  app::import_files(hand.window(), {file});
   hand.window().files().reader().cancel();
   CHECK(hand.wait_for([&] { return !hand.window().files().reader().busy(); }));
   CHECK(hand.studio().objects().size() == 1);

@@ -68,13 +68,13 @@ void open_two(StudioFixture& hand) {
 TEST_CASE("objects: two stand side by side, sized by numbers, in one file in millimetres", "[objects]") {
   StudioFixture hand;
   open_two(hand);
-  hand.window().select_nodes({node_of(hand, "cube")});
+  app::select_nodes(hand.studio(), {node_of(hand, "cube")});
   const auto steps = hand.studio().session().undo_labels().size();
   type(hand, "size-x", 40);
   type(hand, "size-y", 20);
   type(hand, "size-z", 10);
   type(hand, "position-y", 10);
-  hand.window().select_nodes({node_of(hand, "brick")});
+  app::select_nodes(hand.studio(), {node_of(hand, "brick")});
   type(hand, "rotation-z", 90);
   type(hand, "size-x", 20);  // along its own x, which points along y now
   type(hand, "position-x", 30.5);
@@ -106,14 +106,14 @@ TEST_CASE("objects: two stand side by side, sized by numbers, in one file in mil
 TEST_CASE("objects: W shows a manipulator for meshes and for solids of sketches; a drag moves what is picked",
           "[objects]") {
   StudioFixture hand;
-  hand.window().start_sketch();
+  hand.window().start_with();
   draw_ring(hand);
   hand.settle();
   const NodeId solid = hand.studio().objects().front().node;
   const auto mesh = hand.studio().solid();
   hand.act("perspective-alone");
   hand.act("select");
-  hand.window().select_nodes({solid});
+  app::select_nodes(hand.studio(), {solid});
   REQUIRE(hand.window().action("move")->isEnabled());
   hand.act("move");
   const auto before = *placed_bounds(hand.studio(), *hand.studio().object(solid));
@@ -165,13 +165,13 @@ TEST_CASE("objects: copies step aside; clicks, Shift and Ctrl pick several; a gr
   hand.act("duplicate-object");
   hand.settle();
   CHECK(same_box(box_of(hand, "brick 2"), {7.2, -1, -1}, {9.2, 1, 1}));
-  hand.window().select_nodes({node_of(hand, "brick"), node_of(hand, "brick 2")});
+  app::select_nodes(hand.studio(), {node_of(hand, "brick"), node_of(hand, "brick 2")});
   hand.act("group");
   auto* list = hand.window().findChild<app::ObjectList*>("objects");
   REQUIRE(list->topLevelItemCount() == 2);
   CHECK(list->topLevelItem(1)->text(0) == "Group");
   CHECK(list->topLevelItem(1)->childCount() == 2);
-  hand.window().select_nodes({});
+  app::select_nodes(hand.studio(), {});
   hand.click_model({6, 0, 1}, app::Viewport::PerspectiveView);
   CHECK(picked(hand.studio()).size() == 2);
   list->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
@@ -179,12 +179,12 @@ TEST_CASE("objects: copies step aside; clicks, Shift and Ctrl pick several; a gr
   CHECK_FALSE(hand.studio().object(node_of(hand, "brick 2"))->visible);
   CHECK(hand.studio().object(node_of(hand, "cube"))->visible);
   hand.act("show-all");
-  hand.window().select_nodes({node_of(hand, "cube")});
+  app::select_nodes(hand.studio(), {node_of(hand, "cube")});
   hand.act("isolate");
   CHECK(hand.viewport().objects().surfaces().size() == 1);
   hand.act("isolate");
   CHECK(hand.viewport().objects().surfaces().size() == 3);
-  hand.window().select_nodes({node_of(hand, "brick"), node_of(hand, "brick 2")});
+  app::select_nodes(hand.studio(), {node_of(hand, "brick"), node_of(hand, "brick 2")});
   hand.act("ungroup");
   CHECK(list->topLevelItemCount() == 3);
   // The same key makes crease sets of edges.
@@ -210,7 +210,7 @@ TEST_CASE("objects: opening a mesh beside others asks whether it replaces them",
       }
       FAIL("no such button");
     });
-    hand.window().begin_open({file});
+    app::begin_open(hand.window(), {file});
     REQUIRE(hand.wait_for([&] { return hand.window().settled(); }));
   };
   answer("Cancel");
@@ -224,7 +224,7 @@ TEST_CASE("objects: opening a mesh beside others asks whether it replaces them",
   REQUIRE(hand.studio().objects().size() == 1);
   CHECK(hand.studio().objects().front().name == "ball");
   CHECK_FALSE(hand.studio().session().can_undo());
-  hand.window().import({file});
+  app::import_files(hand.window(), {file});
   REQUIRE(hand.wait_for([&] { return hand.window().settled(); }));
   CHECK(hand.studio().objects().size() == 2);
 }

@@ -96,7 +96,7 @@ TEST_CASE("the start page shows every shipped sketch as a picture and opens it",
   }
   page->findChild<QToolButton*>("sketch-chain")->click();
   hand.settle();
-  CHECK(!hand.window().shows_start_page());
+  CHECK(hand.window().shows_views());
   CHECK(hand.studio().drawing().strokes.size() == 16);
   CHECK(hand.studio().solid() != nullptr);
 }

@@ -119,7 +119,7 @@ TEST_CASE("a frozen scan keeps its patches as sets of faces that can be worked o
   StudioFixture other;
   REQUIRE(other.window().open(project));
   other.settle();
-  other.window().select_face_sets(other.studio().objects().back().node, {"patch 3"});
+  app::select_face_sets(other.window(), other.studio().objects().back().node, {"patch 3"});
   const ComponentSelection& picked = other.studio().session().components();
   CHECK(picked.kind == ComponentKind::Face);
   REQUIRE(!picked.empty());

@@ -101,7 +101,7 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
     const SolidDrawing truth = drawn(solid, view);
     StudioFixture hand;
     app::start_with(hand.studio(), truth.drawing);
-    hand.window().show_views();
+    app::show_views(hand.window());
     hand.settle();
     REQUIRE(sheet_of(hand).result() != nullptr);
     REQUIRE(hand.window().action("look-through")->isChecked());
@@ -130,7 +130,7 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
 TEST_CASE("the solid of a drawing is exported as STEP, or the window says what to install", "[perspective]") {
   StudioFixture hand;
   app::start_with(hand.studio(), drawn(soap(), three_point_views()[0]).drawing);
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   QAction* action = hand.window().action("export-step");
   REQUIRE(action->isEnabled());
@@ -192,7 +192,7 @@ TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fix
   }
   StudioFixture hand;
   app::start_with(hand.studio(), truth.drawing);
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   REQUIRE(sheet_of(hand).result() != nullptr);
   CHECK(sheet_of(hand).result()->faces.size() < solid.faces.size());

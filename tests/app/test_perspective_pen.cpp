@@ -24,7 +24,7 @@ namespace {
 
 app::Sheet& open_sheet(StudioFixture& hand, const PerspectiveDrawing& drawing) {
   app::start_with(hand.studio(), drawing);
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   hand.picture();
   return hand.window().tool<app::PerspectiveDrawingTool>().sheet();
@@ -55,7 +55,7 @@ QPointF empty_place(StudioFixture& hand) {
 TEST_CASE("an empty sheet says what to draw, in full, and computes nothing", "[perspective-pen]") {
   StudioFixture hand;
   hand.act("new-perspective");
-  hand.window().show_views();
+  app::show_views(hand.window());
   for (const QSize size : {QSize(1440, 900), QSize(1024, 640)}) {
     hand.window().resize(size);
     hand.settle();

@@ -348,7 +348,7 @@ TEST_CASE("a patch that can't be made stays as a loop, the others are made, and 
   const Index hood = find_element(broken, NetworkElement::Face, "hood");
   broken.faces[hood].loop[0].reversed = !broken.faces[hood].loop[0].reversed;
   app::start_with(hand.studio(), broken, "broken");
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   CHECK(!result_of(hand).surface->faces[hood].surface);
   CHECK(std::ranges::count_if(result_of(hand).surface->faces,

@@ -110,7 +110,7 @@ TEST_CASE("a joint is offered where a limb meets the body: clicks take it apart,
   StudioFixture hand;
   hand.act("start-page");
   hand.window().files().start_sample("dog");
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   auto* joint = hand.viewport().findChild<QToolButton*>("joint-0");
   REQUIRE(joint != nullptr);

@@ -96,7 +96,7 @@ TEST_CASE("the start page has a way back, and nothing acts on what it hides", "[
                                                 [&] { QTest::keyClick(window.focusWidget(), Qt::Key_Escape); }};
   for (const auto& go_back : ways) {
     hand.act("start-page");
-    REQUIRE(window.shows_start_page());
+    REQUIRE(!window.shows_views());
     CHECK(back->isVisible());
     for (const QAction* action : window.actions()) {
       INFO(action->objectName().toStdString());
@@ -112,8 +112,8 @@ TEST_CASE("the start page has a way back, and nothing acts on what it hides", "[
     CHECK(hand.studio().session().undo_labels().size() == steps);
     go_back();
     QApplication::processEvents();
-    if (window.shows_start_page()) back->click();
-    CHECK(!window.shows_start_page());
+    if (!window.shows_views()) back->click();
+    CHECK(window.shows_views());
     CHECK(hash_of(hand) == drawn);
     CHECK(window.action("undo")->isEnabled());
     CHECK(!window.action("redo")->isEnabled());
@@ -125,17 +125,17 @@ TEST_CASE("the first start page has nothing to go back to", "[start-page]") {
   const QTemporaryDir folder;
   app::MainWindow window(folder.path());
   window.show();
-  CHECK(window.shows_start_page());
+  CHECK(!window.shows_views());
   CHECK(!window.findChild<QPushButton*>("back")->isVisible());
   window.action("start-page")->trigger();
-  CHECK(window.shows_start_page());
+  CHECK(!window.shows_views());
 }
 
 TEST_CASE("new and recovered work never takes the place of unsaved work without a question", "[start-page]") {
   StudioFixture hand;
   hand.draw(linked_rings_sketch());
   hand.crash_and_restart();
-  hand.window().start_sketch();
+  hand.window().start_with();
   hand.settle();
   draw_ring(hand);
   const ContentHash drawn = hash_of(hand);
@@ -146,7 +146,7 @@ TEST_CASE("new and recovered work never takes the place of unsaved work without 
   };
   for (const char* button : {"new-sketch", "recover", "sketch-chain"}) {
     INFO(button);
-    if (!hand.window().shows_start_page()) hand.act("start-page");
+    if (hand.window().shows_views()) hand.act("start-page");
     const int before = asked;
     in_dialog<QMessageBox>(cancel);
     auto* wanted = hand.window().findChild<QAbstractButton*>(button);
@@ -160,7 +160,7 @@ TEST_CASE("new and recovered work never takes the place of unsaved work without 
 TEST_CASE("work of several crashes is listed with local times and discarded at once", "[start-page]") {
   StudioFixture hand;
   for (int crash = 0; crash < 3; ++crash) {
-    if (crash > 0) hand.window().start_sketch();
+    if (crash > 0) hand.window().start_with();
     hand.settle();
     draw_ring(hand);
     REQUIRE(hand.studio().session().modified());
@@ -186,7 +186,7 @@ TEST_CASE("cards of unsaved work show the time of the place, and are discarded o
   StudioFixture hand;
   const QDateTime before = QDateTime::currentDateTimeUtc().addSecs(-1);
   for (int crash = 0; crash < 3; ++crash) {
-    if (crash > 0) hand.window().start_sketch();
+    if (crash > 0) hand.window().start_with();
     hand.settle();
     draw_ring(hand);
     hand.crash_and_restart();
@@ -300,10 +300,10 @@ TEST_CASE("panels are closed, come back, and the layout is remembered until it i
   const auto open_window = [&] {
     auto window = std::make_unique<app::MainWindow>(folder.path());
     window->set_unattended();
-    window->remember_layout();
+    app::remember_layout(*window);
     window->show();
     (void)QTest::qWaitForWindowExposed(window.get());
-    window->start_sketch();
+    window->start_with();
     QApplication::processEvents();
     return window;
   };

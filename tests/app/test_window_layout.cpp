@@ -149,7 +149,7 @@ void check_readable(StudioFixture& hand, const std::string& state) {
     INFO(label->objectName().toStdString() << ": " << label->text().toStdString());
     CHECK(label->width() >= label->minimumSizeHint().width());
   }
-  if (window.shows_start_page()) return;
+  if (!window.shows_views()) return;
   CHECK(help->text().toStdString() == hand.viewport().help().toStdString());
   for (const int view : all_views) {
     const app::ViewPane& pane = hand.viewport().pane(view);
@@ -181,7 +181,7 @@ TEST_CASE("the window opens inside of its screen and stays there", "[window-layo
   window.show();
   REQUIRE(QTest::qWaitForWindowExposed(&window));
   check_inside_of_screen(window, "start page");
-  window.start_sketch();
+  window.start_with();
   check_inside_of_screen(window, "sketch");
   window.action("reset-layout")->trigger();
   check_inside_of_screen(window, "layout reset");
@@ -194,12 +194,12 @@ TEST_CASE("a layout kept from a larger screen opens inside of this one", "[windo
   app::keep_layout({large.saveGeometry(), {}, {}, {0.5, 0.5}});
   const QTemporaryDir folder;
   app::MainWindow window(folder.path());
-  window.remember_layout();
+  app::remember_layout(window);
   check_inside_of_screen(window, "before it is shown");
   window.show();
   REQUIRE(QTest::qWaitForWindowExposed(&window));
   check_inside_of_screen(window, "shown");
-  window.start_sketch();
+  window.start_with();
   check_inside_of_screen(window, "sketch");
   QSettings().clear();
 }

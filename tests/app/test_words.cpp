@@ -206,7 +206,7 @@ TEST_CASE("the sheet of a new drawing in perspective has half of the views' widt
   for (const QSize size : {QSize(1600, 960), QSize(1280, 680)}) {
     hand.window().resize(size);
     hand.act("new-perspective");
-    hand.window().show_views();
+    app::show_views(hand.window());
     hand.settle();
     const Vec2 sheet = hand.window().tool<app::PerspectiveDrawingTool>().sheet().drawing().image_size;
     const double width =
@@ -222,7 +222,7 @@ TEST_CASE("the sheet of a new drawing in perspective has half of the views' widt
 TEST_CASE("while one draws in perspective, keys of groups mean the same wherever the pointer is", "[words]") {
   StudioFixture hand;
   hand.act("new-perspective");
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   const QPointF solid = hand.viewport().pane(app::PerspectiveView).rect.center();
   hand.send_mouse(QEvent::MouseMove, solid, Qt::NoButton, {});
@@ -247,7 +247,7 @@ TEST_CASE("words of panels aren't clipped in a small window", "[words]") {
   StudioFixture hand;
   hand.window().resize(1280, 680);
   hand.act("new-perspective");
-  hand.window().show_views();
+  app::show_views(hand.window());
   hand.settle();
   for (const QLabel* label : hand.window().findChildren<QLabel*>()) {
     if (label->text() != "Unit of lengths") continue;
@@ -304,7 +304,7 @@ TEST_CASE("the menu Help has the manual, the keys, the examples, and what to cop
   hand.act("help-about");
   CHECK(hand.window().findChild<QDialog*>("about")->isVisible());
   hand.act("help-examples");
-  CHECK(hand.window().shows_start_page());
+  CHECK(!hand.window().shows_views());
   CHECK(hand.window().action("help")->isEnabled());
 }
 

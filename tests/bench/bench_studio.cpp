@@ -229,7 +229,7 @@ void million_faces() {
   test::StudioFixture hand;
   QElapsedTimer watch;
   watch.start();
-  hand.window().begin_open({file.fileName()});
+  app::begin_open(hand.window(), {file.fileName()});
   const double loaded = ms_until(hand, watch, [&] { return !hand.studio().objects().empty(); });
   const double shown = ms_until(hand, watch, [&] { return !hand.viewport().objects().surfaces().empty(); });
   const double whole = ms_until(hand, watch, [&] { return hand.window().settled(); });

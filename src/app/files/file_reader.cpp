@@ -356,21 +356,29 @@ Drawing traced_picture(std::string bytes, const std::string& file, Progress& pro
   return trace_picture(picture, file, progress);
 }
 
+std::optional<bool> ask_which(QWidget& parent, const QString& name, const QString& text, const QString& first,
+                              const QString& second) {
+  QMessageBox question(QMessageBox::Question, QMessageBox::tr("Croquis"), text, QMessageBox::Cancel, &parent);
+  question.setObjectName(name);
+  const QPushButton* one = question.addButton(first, QMessageBox::AcceptRole);
+  QPushButton* other = question.addButton(second, QMessageBox::AcceptRole);
+  question.setDefaultButton(other);
+  question.exec();
+  if (question.clickedButton() == one) return true;
+  return question.clickedButton() == other ? std::optional(false) : std::nullopt;
+}
+
 std::optional<PictureUse> ask_picture_use(const QStringList& paths, QWidget& parent) {
   const auto count = std::ranges::count_if(paths, is_picture_name);
   if (count == 0) return PictureUse::Backdrop;
   const QString what = count == 1 ? QFileInfo(*std::ranges::find_if(paths, is_picture_name)).fileName()
                                   : QMessageBox::tr("%1 pictures").arg(count);
-  QMessageBox question(QMessageBox::Question, QMessageBox::tr("Croquis"),
-                       QMessageBox::tr("Trace the lines of %1 as strokes, or put it behind the drawing?").arg(what),
-                       QMessageBox::Cancel, &parent);
-  question.setObjectName("picture-question");
-  const QPushButton* trace = question.addButton(QMessageBox::tr("&Trace lines"), QMessageBox::AcceptRole);
-  QPushButton* backdrop = question.addButton(QMessageBox::tr("&Backdrop"), QMessageBox::AcceptRole);
-  question.setDefaultButton(backdrop);
-  question.exec();
-  if (question.clickedButton() == trace) return PictureUse::Lines;
-  return question.clickedButton() == backdrop ? std::optional(PictureUse::Backdrop) : std::nullopt;
+  const auto traces =
+      ask_which(parent, "picture-question",
+                QMessageBox::tr("Trace the lines of %1 as strokes, or put it behind the drawing?").arg(what),
+                QMessageBox::tr("&Trace lines"), QMessageBox::tr("&Backdrop"));
+  if (!traces) return std::nullopt;
+  return *traces ? PictureUse::Lines : PictureUse::Backdrop;
 }
 
 }  // namespace croquis::app

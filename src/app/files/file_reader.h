@@ -134,6 +134,11 @@ QImage decoded(const PictureFile& picture, int longest_side);
 /// @throws Cancelled
 Drawing traced_picture(std::string bytes, const std::string& file, Progress& progress);
 
+/// Asks which of two is to be done; nothing: neither.
+/// @param first true as the answer; the other one is proposed
+std::optional<bool> ask_which(QWidget& parent, const QString& name, const QString& text, const QString& first,
+                              const QString& second);
+
 /// Asks what becomes of the pictures among the files; nothing: they aren't wanted. Without pictures it doesn't ask.
 std::optional<PictureUse> ask_picture_use(const QStringList& paths, QWidget& parent);
 

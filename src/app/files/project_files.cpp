@@ -62,6 +62,20 @@ void remember(const QString& path) {
   QSettings().setValue(recent_key, QStringList(paths.mid(0, recent_count)));
 }
 
+/// What takes the place of what is open: a project, a drawing or a network.
+void take_whole(Studio& studio, const ReadFile& file) {
+  const std::string name = QFileInfo(file.path).completeBaseName().toStdString();
+  if (const auto* document = std::get_if<Document>(&file.content)) {
+    studio.load(*document, false, {file.kept, {}});
+  } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
+    start_with(studio, **sheet, name);
+  } else if (const auto* network = std::get_if<std::shared_ptr<const AttributeNetwork>>(&file.content)) {
+    start_with(studio, **network, name);
+  } else {
+    start_with(studio, *std::get<std::shared_ptr<const Drawing>>(file.content));
+  }
+}
+
 }  // namespace
 
 ProjectFiles::ProjectFiles(Studio& studio, OffscreenPictures& pictures, const QString& state_folder)
@@ -112,13 +126,11 @@ bool ProjectFiles::has_changed(const QString& path) const {
 
 void ProjectFiles::start_sketch() {
   studio_.load(Document());
-  earlier_version_.clear();
   set_path({});
 }
 
 void ProjectFiles::start_sample(const QString& name) {
   Value sample = load_sample(name);
-  earlier_version_.clear();
   if (const auto drawing = sample.as<Drawing>()) {
     start_with(studio_, *drawing);
   } else if (const auto network = sample.as<AttributeNetwork>()) {
@@ -158,22 +170,14 @@ void ProjectFiles::take(const ReadFile& file) {
     add_picture(studio_, *picture);
   } else if (const auto* camera = std::get_if<CameraFile>(&file.content)) {
     state_camera(studio_, camera->camera);
-  } else if (const auto* document = std::get_if<Document>(&file.content)) {
-    take_project(file.path, *document, file.kept);
-  } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
-    start_with(studio_, **sheet, QFileInfo(file.path).completeBaseName().toStdString());
-    earlier_version_.clear();
-    set_path({});
-  } else if (const auto* network = std::get_if<std::shared_ptr<const AttributeNetwork>>(&file.content)) {
-    start_with(studio_, **network, QFileInfo(file.path).completeBaseName().toStdString());
-    earlier_version_.clear();
-    set_path({});
   } else if (file.is_traced) {
     add_traced(studio_, std::get<std::shared_ptr<const Drawing>>(file.content));
   } else {
-    start_with(studio_, *std::get<std::shared_ptr<const Drawing>>(file.content));
-    earlier_version_.clear();
-    set_path({});
+    take_whole(studio_, file);
+    // An earlier version of a project is looked at, and saved under a name that the user chooses.
+    const bool project = std::holds_alternative<Document>(file.content);
+    const bool earlier = project && project_of_backup(local(file.path));
+    set_path(project && !earlier ? file.path : QString(), earlier ? file.path : QString());
   }
   note_damage(file.path, file.warnings);
   Findings warnings = file.warnings;
@@ -181,14 +185,6 @@ void ProjectFiles::take(const ReadFile& file) {
   warnings_.add(warnings, studio_.session().document());
   if (!project_of_backup(local(file.path))) remember(file.path);
   emit opened(file.path, warnings);
-}
-
-/// An earlier version is looked at, and saved under a name that the user chooses.
-void ProjectFiles::take_project(const QString& path, const Document& document, const KeptResults& kept) {
-  studio_.load(document, false, {kept, {}});
-  const bool earlier = project_of_backup(local(path)).has_value();
-  earlier_version_ = earlier ? path : QString();
-  set_path(earlier ? QString() : path);
 }
 
 QString ProjectFiles::save(const QString& path) {
@@ -208,7 +204,6 @@ QString ProjectFiles::save(const QString& path) {
     throw;
   }
   damaged_.remove(whole_path(path));
-  earlier_version_.clear();
   warnings_.clear();
   set_path(path);
   remember(path);
@@ -231,16 +226,16 @@ void ProjectFiles::recover(const RecoveryOffer& offer) {
   Progress progress;
   ProjectFile work = croquis::recover(local(offer.file), progress);
   studio_.load(std::move(work.document), true, std::move(work.kept));
-  earlier_version_.clear();
   set_path(offer.project);
   warnings_.add(work.warnings, studio_.session().document());
   keeper_.save_now();
   croquis::discard(local(offer.file));
 }
 
-void ProjectFiles::set_path(const QString& path) {
+void ProjectFiles::set_path(const QString& path, const QString& earlier_version) {
   if (whole_path(path) != whole_path(path_)) lock_.reset();
   path_ = path;
+  earlier_version_ = earlier_version;
   keeper_.set_project(path);
   known_file_ = time_and_size(path);
   if (!path.isEmpty()) is_open_elsewhere(path);  // takes the lock

@@ -67,7 +67,6 @@ class ProjectFiles : public QObject {
 
   /// What reads them.
   FileReader& reader() { return reader_; }
-  const FileReader& reader() const { return reader_; }
 
   /// What keeps the working copy.
   WorkKeeper& keeper() { return keeper_; }
@@ -78,7 +77,6 @@ class ProjectFiles : public QObject {
 
   /// What writes STEP files.
   StepExport& step_export() { return step_export_; }
-  const StepExport& step_export() const { return step_export_; }
 
   /// Work that a crash left behind.
   std::vector<RecoveryOffer> recoverable() const;
@@ -91,9 +89,8 @@ class ProjectFiles : public QObject {
 
  private:
   void take(const ReadFile& file);
-  void take_project(const QString& path, const Document& document, const KeptResults& kept);
   void note_damage(const QString& path, const Findings& findings);
-  void set_path(const QString& path);
+  void set_path(const QString& path, const QString& earlier_version = {});
 
   Studio& studio_;
   FileReader reader_;

@@ -39,7 +39,7 @@ void trigger(MainWindow& window, const recorded::Action& step) {
   QAction* action = window.action(QString::fromStdString(step.name));
   if (action == nullptr) refuse_replay("The window has no action \"" + step.name + "\"");
   // Nothing acts on what the start page hides.
-  if (!action->isEnabled() && window.shows_start_page()) window.show_views();
+  if (!action->isEnabled() && !window.shows_views()) show_views(window);
   if (!action->isEnabled()) refuse_replay("The action \"" + step.name + "\" can't be used now");
   action->trigger();
 }
@@ -51,7 +51,7 @@ void use_file(MainWindow& window, const recorded::File& step) {
   } else if (step.verb == "save") {
     window.files().save(file);
   } else if (file.endsWith(".png")) {
-    window.export_picture(file);
+    window.viewport().export_picture(window.parts().pictures, file);
   } else if (file.endsWith(".svg") || (file.endsWith(".json") && window.studio().network_node() != 0)) {
     export_drawing(window.studio(), file);
   } else if (file.endsWith(".json")) {
@@ -119,12 +119,12 @@ void add_steps(MainWindow& window, Replays& all) {
   });
   all.on<recorded::FaceSetChoice>([&window, &studio](const auto& step) {
     window.wait_until_settled();
-    window.select_face_sets(object_named(studio, step.node).node, step.names);
+    select_face_sets(window, object_named(studio, step.node).node, step.names);
   });
   all.on<recorded::NodeChoice>([&window, &studio](const auto& step) {
     std::vector<NodeId> nodes;
     for (const std::string& name : step.nodes) nodes.push_back(node_named(studio, name));
-    window.select_nodes(nodes);
+    select_nodes(window.studio(), nodes);
   });
   all.on<recorded::Place>([&studio](const auto& step) {
     std::vector<PlacedObject> placed;

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/tool.h"
 
+#include <QMainWindow>
+#include <QStatusBar>
+#include <algorithm>
+#include <utility>
+
+#include "app/files/file_reader.h"
 #include "app/views/viewport.h"
+#include "croquis/base/error.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis::app {
@@ -10,6 +17,55 @@ namespace {
 constexpr int watch_ms = 100;
 
 }  // namespace
+
+void ToolHost::set_mode(const QString& mode) { viewport().set_mode(mode); }
+
+bool ToolHost::shows_views() { return !viewport().isHidden(); }
+
+void ToolHost::add_status_widget(QWidget& widget) {
+  static_cast<QMainWindow*>(viewport().window())->statusBar()->insertPermanentWidget(1, &widget);
+}
+
+bool pick(const ToolHost& host, ComponentKind kind, const std::vector<Index>& elements) {
+  return std::ranges::any_of(host.tools(), [&](const auto& tool) {
+    return tool->show(PickedElements{kind, elements});
+  });
+}
+
+bool picks_elements(const ToolHost& host) {
+  return std::ranges::any_of(host.tools(), [](const auto& tool) { return tool->state().picks_elements; });
+}
+
+void select_face_sets(ToolHost& host, NodeId node, const std::vector<std::string>& names) {
+  Studio& studio = host.studio();
+  const WorkObject* object = studio.object(node);
+  if (object == nullptr) return;
+  const std::vector<FaceSet>& sets = studio.face_sets().of(*object);
+  Selection selection;
+  ChosenFaceSets chosen;
+  for (const std::string& name : names) {
+    const auto set = std::ranges::find(sets, name, &FaceSet::name);
+    if (set == sets.end()) {
+      throw Error(
+          make_error(Category::Usage, "E_INPUT", "There are no faces named \"" + name + "\" in " + object->name));
+    }
+    selection.push_back({object->node, name});
+    chosen.push_back(&*set);
+  }
+  const bool is_source = object->is_source();
+  studio.set_active(object->node);
+  studio.session().select(std::move(selection));
+  for (const auto& tool : host.tools()) tool->show(chosen);
+  if (!is_source) return host.viewport().redraw_all();
+  pick(host, ComponentKind::Face, studio.face_sets().selected(*studio.active(), studio.session().selection()));
+}
+
+QString offer(const ToolHost& host) {
+  for (const auto& tool : host.tools()) {
+    if (const QString offer = tool->offer(); !offer.isEmpty()) return offer;
+  }
+  return {};
+}
 
 WatchedPen::WatchedPen(Feed feed) : feed_(std::move(feed)) {
   QObject::connect(&watch_, &QTimer::timeout, &watch_, [this] {
@@ -62,13 +118,6 @@ std::optional<SelectionFrame> frame_around(render::Bounds selected, const glm::d
   return SelectionFrame{selected, std::nullopt, true};
 }
 
-QString sentences_of(const Findings& findings) {
-  QStringList sentences;
-  for (const Finding& finding : findings) {
-    const QString sentence = QString::fromStdString(finding.message);
-    sentences << (sentence.endsWith('.') ? sentence : sentence + ".");
-  }
-  return sentences.join(' ');
-}
+QString sentences_of(const Findings& findings) { return sentences_of(findings, {}).join(' '); }
 
 }  // namespace croquis::app

@@ -9,7 +9,7 @@
 #include <QToolBar>
 #include <utility>
 
-#include "app/window/icons.h"
+#include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {

@@ -46,6 +46,32 @@ QString without_links(QString text) {
   return text.replace(link, QStringLiteral("\\1"));
 }
 
+/// What somebody who helps asks for first. No names, no shapes.
+QString diagnostics(MainWindow& window) {
+  const Studio& studio = window.studio();
+  QStringList lines{
+      QObject::tr("Croquis %1").arg(QCoreApplication::applicationVersion()),
+      QObject::tr("Qt %1, %2, %3").arg(qVersion(), QSysInfo::prettyProductName(), QGuiApplication::platformName()),
+      QObject::tr("Graphics: %1").arg(window.viewport().graphics()),
+      QObject::tr("Window %1 × %2, scale %3").arg(window.width()).arg(window.height()).arg(window.devicePixelRatioF()),
+      QObject::tr("Objects: %1").arg(studio.objects().size())};
+  for (const WorkObject& object : studio.objects()) {
+    QStringList chain;
+    for (const NodeId id : object.chain) {
+      const Node* node = studio.session().document().find(id);
+      if (node != nullptr)
+        chain << (node->operation.empty() ? QObject::tr("source") : QString::fromStdString(node->operation));
+    }
+    const auto mesh = object.shown();
+    lines << QObject::tr("- %1: %2 vertices, %3 faces")
+                 .arg(chain.join(QStringLiteral(" > ")))
+                 .arg(mesh ? mesh->vertex_count() : 0)
+                 .arg(mesh ? mesh->face_count() : 0);
+  }
+  for (const NodeFinding& found : findings_of(studio)) lines << "- " + QString::fromStdString(found.finding.code);
+  return lines.join('\n') + '\n';
+}
+
 }  // namespace
 
 void show_manual(QWidget& parent, const QString& heading) {
@@ -97,49 +123,25 @@ void show_about(QWidget& parent) {
   box->open();
 }
 
-// The menu Help.
-
-void MainWindow::make_help_actions() {
-  QMenu* menu = actions_->menu(tr("&Help"));
+void add_help_menu(MainWindow& window) {
+  ActionList& actions = *window.parts().actions;
+  QMenu* menu = actions.menu(QObject::tr("&Help"));
   const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
                        std::function<void()> work) {
-    actions_->add(menu, name, text, keys, std::move(work), Recorded::ByItself);
+    actions.add(menu, name, text, keys, std::move(work), Recorded::ByItself);
   };
-  add("help", tr("&Help for the present tool"), {QKeySequence(Qt::Key_F1)},
-      [this] { show_manual(*this, shows_start_page() ? QString() : viewport_->help_topic()); });
-  add("help-keys", tr("&Keys of the present tool"), {}, [this] { show_keys(*this, actions()); });
-  add("help-examples", tr("&Examples"), {}, [this] {
-    if (!shows_start_page()) show_start_page();
+  add("help", QObject::tr("&Help for the present tool"), {QKeySequence(Qt::Key_F1)},
+      [&window] { show_manual(window, window.shows_views() ? window.viewport().help_topic() : QString()); });
+  add("help-keys", QObject::tr("&Keys of the present tool"), {}, [&window] { show_keys(window, window.actions()); });
+  add("help-examples", QObject::tr("&Examples"), {}, [&window] {
+    if (window.shows_views()) show_start_page(window);
   });
   menu->addSeparator();
-  add("help-diagnostics", tr("&Copy diagnostics"), {}, [this] {
-    QApplication::clipboard()->setText(diagnostics());
-    say(tr("Version, graphics and what is open were copied: paste them where you ask"));
+  add("help-diagnostics", QObject::tr("&Copy diagnostics"), {}, [&window] {
+    QApplication::clipboard()->setText(diagnostics(window));
+    window.say(QObject::tr("Version, graphics and what is open were copied: paste them where you ask"));
   });
-  add("help-about", tr("&About Croquis"), {}, [this] { show_about(*this); });
-}
-
-/// What somebody who helps asks for first. No names, no shapes.
-QString MainWindow::diagnostics() {
-  QStringList lines{tr("Croquis %1").arg(QCoreApplication::applicationVersion()),
-                    tr("Qt %1, %2, %3").arg(qVersion(), QSysInfo::prettyProductName(), QGuiApplication::platformName()),
-                    tr("Graphics: %1").arg(viewport_->graphics()),
-                    tr("Window %1 × %2, scale %3").arg(width()).arg(height()).arg(devicePixelRatioF()),
-                    tr("Objects: %1").arg(studio_.objects().size())};
-  for (const WorkObject& object : studio_.objects()) {
-    QStringList chain;
-    for (const NodeId id : object.chain) {
-      const Node* node = studio_.session().document().find(id);
-      if (node != nullptr) chain << (node->operation.empty() ? tr("source") : QString::fromStdString(node->operation));
-    }
-    const auto mesh = object.shown();
-    lines << tr("- %1: %2 vertices, %3 faces")
-                 .arg(chain.join(QStringLiteral(" > ")))
-                 .arg(mesh ? mesh->vertex_count() : 0)
-                 .arg(mesh ? mesh->face_count() : 0);
-  }
-  for (const NodeFinding& found : findings_of(studio_)) lines << "- " + QString::fromStdString(found.finding.code);
-  return lines.join('\n') + '\n';
+  add("help-about", QObject::tr("&About Croquis"), {}, [&window] { show_about(window); });
 }
 
 }  // namespace croquis::app

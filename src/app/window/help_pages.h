@@ -9,6 +9,8 @@ class QWidget;
 
 namespace croquis::app {
 
+class MainWindow;
+
 /// Opens the manual of the studio in a window of its own, at the heading of that name.
 /// @param heading empty, or one that the manual lacks: at its beginning
 void show_manual(QWidget& parent, const QString& heading);
@@ -22,5 +24,7 @@ void show_keys(QWidget& parent, const QList<QAction*>& actions);
 
 /// Program, version and licence.
 void show_about(QWidget& parent);
+
+void add_help_menu(MainWindow& window);
 
 }  // namespace croquis::app

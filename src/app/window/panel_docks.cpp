@@ -76,6 +76,12 @@ void PanelDocks::set_room_given(bool given) {
   roomy_.clear();
 }
 
+void PanelDocks::give_first_sizes() {
+  const QList<QDockWidget*> own = all().mid(0, 4);
+  window_.resizeDocks(own, {210, 360, 80, 110}, Qt::Vertical);
+  window_.resizeDocks(own, {310, 310, 310, 310}, Qt::Horizontal);
+}
+
 QList<QDockWidget*> PanelDocks::all() const {
   QList<QDockWidget*> docks;
   for (const Panel& panel : panels_) docks << panel.dock;
@@ -106,11 +112,6 @@ void PanelDocks::set_wanted(QDockWidget* dock, bool wanted) {
   panel->wanted = wanted;
   apply(*panel);
   if (changed) emit wanted_changed(dock, wanted);
-}
-
-bool PanelDocks::is_wanted(const QDockWidget* dock) const {
-  const auto found = std::ranges::find(panels_, dock, &Panel::dock);
-  return found != panels_.end() && found->wanted;
 }
 
 QStringList PanelDocks::closed() const {

@@ -43,6 +43,9 @@ class PanelDocks : public QObject {
   void give_room_once(QDockWidget* dock, int width);
   void set_room_given(bool given);
 
+  /// The sizes that the panels of the window itself, which were added first, have before people give them others.
+  void give_first_sizes();
+
   /// In the order they were added.
   QList<QDockWidget*> all() const;
 
@@ -50,7 +53,6 @@ class PanelDocks : public QObject {
   void set_useful(QDockWidget* dock, bool useful);
 
   void set_wanted(QDockWidget* dock, bool wanted);
-  bool is_wanted(const QDockWidget* dock) const;
 
   /// Names of the panels that were closed.
   QStringList closed() const;

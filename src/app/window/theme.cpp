@@ -2,6 +2,7 @@
 #include "app/window/theme.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
@@ -92,5 +93,12 @@ QColor sentence_color(Severity severity) {
   }
   return light_text;
 }
+
+QIcon action_icon(const QString& action) {
+  const QString file = ":/icons/" + action + ".svg";
+  return QFile::exists(file) ? QIcon(file) : QIcon();
+}
+
+QIcon program_icon() { return QIcon(QStringLiteral(":/icons/croquis.svg")); }
 
 }  // namespace croquis::app

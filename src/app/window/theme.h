@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QIcon>
 
 #include "croquis/base/finding.h"
 
@@ -35,5 +36,11 @@ QColor depth_color(int depth);
 
 /// A finding's sentence on a dark panel. Notes have the colour of text.
 QColor sentence_color(Severity severity);
+
+/// The drawn icon of an action, or an empty one for actions that have none.
+QIcon action_icon(const QString& action);
+
+/// The program's own.
+QIcon program_icon();
 
 }  // namespace croquis::app

@@ -239,7 +239,7 @@ bool HoleFillingTool::show(const Target& target) {
     const WorkObject* object = studio().object(chosen->node);
     if (object == nullptr || studio().face_sets().of(*object).empty()) return false;
     host().record(recorded::FaceSetChoice{object->name, chosen->parts});
-    host().select_face_sets(chosen->node, chosen->parts);
+    select_face_sets(host(), chosen->node, chosen->parts);
   } else if (const auto* sets = std::get_if<ChosenFaceSets>(&target)) {
     std::vector<Index> holes;
     for (const FaceSet* set : *sets) holes.insert(holes.end(), set->holes.begin(), set->holes.end());

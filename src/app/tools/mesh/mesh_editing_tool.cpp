@@ -88,7 +88,7 @@ QString help_of(const MeshTool& tool, const ObjectMover& mover, ToolHost& host) 
   if (tool.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
   if (tool.selection().mode() != MeshMode::Object)
     return help_on_elements(tool.selection().mode(), !studio.session().components().empty());
-  if (const QString offer = studio.active() == nullptr ? QString() : host.offer(); !offer.isEmpty()) return offer;
+  if (const QString offer = studio.active() == nullptr ? QString() : app::offer(host); !offer.isEmpty()) return offer;
   if (mover.manipulator()) return tr("Drag a handle · Ctrl snaps · Shift picks several · Ctrl+D duplicates");
   return tr("O finds its holes · 3 makes it smooth · F9 vertices, F10 edges, F11 faces · Alt+drag rotates the view");
 }

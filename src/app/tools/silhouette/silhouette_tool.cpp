@@ -394,7 +394,7 @@ void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bo
 
 void SilhouetteTool::make_replays(Replays& replays) {
   replays.on<recorded::StrokeDrawn>([this](const recorded::StrokeDrawn& stroke) {
-    if (!host().shows_views()) host().start_sketch();
+    if (!host().shows_views()) host().start_with();
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });

@@ -16,7 +16,7 @@
 
 #include "app/panels/number_box.h"
 #include "app/views/viewport.h"
-#include "app/window/icons.h"
+#include "app/window/theme.h"
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
 #include "croquis/tools/silhouette/stroke_setting.h"

@@ -353,7 +353,7 @@ void SubdivisionTool::compare(bool shown) {
 void SubdivisionTool::select_chain(int chain) {
   const WorkObject* object = studio().active();
   if (object == nullptr || !object->cage_mesh) return;
-  host().pick(ComponentKind::Edge, edges_of(MeshTopology(*object->cage_mesh), chains_->cage_edges(chain)));
+  pick(host(), ComponentKind::Edge, edges_of(MeshTopology(*object->cage_mesh), chains_->cage_edges(chain)));
 }
 
 void SubdivisionTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
