@@ -30,7 +30,7 @@ StudioFixture::StudioFixture()
   window_->show();
   (void)QTest::qWaitForWindowExposed(window_.get());
   window_->start_with();
-  wait_for([this] { return viewport().frames() > 0; });
+  wait_for([this] { return viewport().pictures().frames > 0; });
   settle();  // panels get their sizes: views are where they stay
 }
 
@@ -55,9 +55,9 @@ bool StudioFixture::wait_for(const std::function<bool()>& condition) {
 void StudioFixture::settle() {
   QApplication::processEvents();
   wait_for([this] { return window_->settled(); });
-  const int before = viewport().frames();
+  const int before = viewport().pictures().frames;
   viewport().update();
-  wait_for([this, before] { return viewport().frames() > before; });
+  wait_for([this, before] { return viewport().pictures().frames > before; });
 }
 
 void StudioFixture::send_pen(QEvent::Type type, const QPointF& place, double pressure) {
@@ -68,16 +68,16 @@ void StudioFixture::send_pen(QEvent::Type type, const QPointF& place, double pre
 }
 
 void StudioFixture::begin_stroke(const std::vector<Vec2>& places) {
-  send_pen(QEvent::TabletPress, viewport().sketch_to_widget(places.front()), 0.5);
-  for (const Vec2& place : places) send_pen(QEvent::TabletMove, viewport().sketch_to_widget(place), 0.6);
+  send_pen(QEvent::TabletPress, app::sketch_to_widget(viewport().views(), places.front()), 0.5);
+  for (const Vec2& place : places) send_pen(QEvent::TabletMove, app::sketch_to_widget(viewport().views(), place), 0.6);
 }
 
 void StudioFixture::continue_stroke(const Vec2& place) {
-  send_pen(QEvent::TabletMove, viewport().sketch_to_widget(place), 0.6);
+  send_pen(QEvent::TabletMove, app::sketch_to_widget(viewport().views(), place), 0.6);
 }
 
 void StudioFixture::end_stroke(const Vec2& place) {
-  send_pen(QEvent::TabletRelease, viewport().sketch_to_widget(place), 0);
+  send_pen(QEvent::TabletRelease, app::sketch_to_widget(viewport().views(), place), 0);
 }
 
 void StudioFixture::draw(const std::vector<Vec2>& places) {
@@ -127,12 +127,13 @@ void StudioFixture::drag_pixels(const QPointF& from, const QPointF& to, Qt::Mous
 
 void StudioFixture::drag(const Vec2& from, const Vec2& to) {
   QTest::qWait(250);  // later than any mouse copy of the pen's events
-  drag_pixels(viewport().sketch_to_widget(from), viewport().sketch_to_widget(to), Qt::LeftButton, Qt::NoModifier);
+  drag_pixels(app::sketch_to_widget(viewport().views(), from), app::sketch_to_widget(viewport().views(), to),
+              Qt::LeftButton, Qt::NoModifier);
 }
 
 void StudioFixture::click(const Vec2& at, Qt::KeyboardModifiers modifiers) {
   QTest::qWait(250);
-  const QPointF place = viewport().sketch_to_widget(at);
+  const QPointF place = app::sketch_to_widget(viewport().views(), at);
   drag_pixels(place, place, Qt::LeftButton, modifiers);
 }
 
@@ -142,7 +143,7 @@ void StudioFixture::open_cage(const char* name) {
 }
 
 void StudioFixture::click_model(const Vec3& place, int view, int clicks, Qt::KeyboardModifiers modifiers) {
-  const QPointF at = viewport().model_to_widget(place, view);
+  const QPointF at = app::model_to_widget(viewport().views(), place, view);
   send_mouse(QEvent::MouseMove, at, Qt::NoButton, modifiers);
   for (int click = 0; click < clicks; ++click) {
     send_mouse(click == 0 ? QEvent::MouseButtonPress : QEvent::MouseButtonDblClick, at, Qt::LeftButton, modifiers);

@@ -51,7 +51,7 @@ PerspectiveDrawing sheet_drawing(StudioFixture& hand) {
 
 /// The colour that the sketch view shows at a place of the plane that is drawn on.
 QColor color_at(StudioFixture& hand, const Vec2& place) {
-  const QPointF at = hand.viewport().sketch_to_widget(place);
+  const QPointF at = app::sketch_to_widget(hand.viewport().views(), place);
   return hand.picture().pixelColor(at.toPoint());
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("a picture opened in an empty studio begins a perspective drawing as l
   REQUIRE(hand.studio().sheet_node() != 0);
   CHECK(sheet_drawing(hand).image_size == Vec2(400, 200));
   CHECK_FALSE(hand.studio().session().modified());
-  REQUIRE(hand.wait_for([&] { return hand.viewport().settled(); }));
+  REQUIRE(hand.wait_for([&] { return app::settled(hand.viewport().pictures()); }));
   CHECK(is_red(color_at(hand, {100, -100})));
   CHECK(is_blue(color_at(hand, {300, -100})));
   hand.act("show-picture");
@@ -123,7 +123,7 @@ TEST_CASE("a picture dropped on a sketch that has begun lies behind it, and stro
   StudioFixture hand;
   hand.window().start_with();
   drop(hand, saved_photo(hand, "photo.jpg"));
-  REQUIRE(hand.wait_for([&] { return backdrop_of(hand) != nullptr && hand.viewport().settled(); }));
+  REQUIRE(hand.wait_for([&] { return backdrop_of(hand) != nullptr && app::settled(hand.viewport().pictures()); }));
   CHECK(hand.studio().sheet_node() == 0);
   CHECK(backdrop_of(hand)->centre == Vec2(0, 0));
   CHECK(is_red(color_at(hand, {-200, 100})));
@@ -163,7 +163,7 @@ TEST_CASE("the picture is moved and scaled by hand and by numbers; each is one s
   hand.act("remove-picture");
   CHECK(backdrop_of(hand) == nullptr);
   CHECK_FALSE(hand.window().action("move-picture")->isEnabled());
-  CHECK(hand.viewport().mode() == app::first_mode);
+  CHECK(hand.viewport().views().mode == app::first_mode);
 }
 
 TEST_CASE("a changed picture computes nothing again", "[backdrop]") {
@@ -201,7 +201,7 @@ TEST_CASE("a picture is saved in the project and is there again after a crash", 
   hand.window().set_unattended();
   REQUIRE(hand.window().open(project));
   CHECK(backdrop_of(hand)->visible);
-  REQUIRE(hand.wait_for([&] { return hand.viewport().settled(); }));
+  REQUIRE(hand.wait_for([&] { return app::settled(hand.viewport().pictures()); }));
   app::show_views(hand.window());
   CHECK(is_red(color_at(hand, {100, -100})));
 }

@@ -271,7 +271,7 @@ TEST_CASE("choosing a step opens the tool that works on it", "[chains]") {
   const std::vector<NodeId> chain = hand.studio().objects().front().chain;
   REQUIRE(chain.size() == 3);
   hand.act("select");
-  const auto mode = [&] { return hand.window().viewport().mode(); };
+  const auto mode = [&] { return hand.window().viewport().views().mode; };
 
   // Within the chain its holes are those of its own result: the end has none left.
   choose(hand, chain[1]);

@@ -132,7 +132,7 @@ TEST_CASE("nothing over the views lies over anything else, whatever is drawn", "
     INFO(sample);
     check_apart(view);
     view.pane(Viewport::SketchView).camera.height *= 8;  // joints come near each other
-    view.redraw_all();
+    emit view.views().changed();
     hand.settle();
     check_apart(view);
   }
@@ -157,12 +157,12 @@ TEST_CASE("what is wrong with a drawing is a small mark, its sentence is shown w
       if (chip->windowType() == Qt::ToolTip) continue;  // shown where the pointer was before
       for (const app::FindingMark& mark : marks) CHECK((label == nullptr || label->text() != mark.sentence));
     }
-    CHECK(!has_coordinates(view.help()));
+    CHECK(!has_coordinates(app::help_of(view.views())));
     const auto* list = hand.window().findChild<app::FindingsList*>("findings");
     for (int row = 0; row < list->count(); ++row) CHECK(!has_coordinates(list->item(row)->text()));
     for (const app::FindingMark& mark : marks) {
       CHECK(!mark.sentence.isEmpty());
-      const QPointF at = view.sketch_to_widget(mark.at.head<2>());
+      const QPointF at = app::sketch_to_widget(view.views(), mark.at.head<2>());
       if (!view.pane(Viewport::SketchView).rect.contains(at)) continue;
       hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
       CHECK(hand.sketch().words().tooltip.contains(mark.sentence));
@@ -187,7 +187,7 @@ TEST_CASE("a mark is small, and its sentence is shown while the pointer is on it
   for (const app::FindingMark& mark : marks) {
     INFO(mark.sentence.toStdString());
     REQUIRE(mark.error);
-    const QPointF at = view.sketch_to_widget(mark.at.head<2>());
+    const QPointF at = app::sketch_to_widget(view.views(), mark.at.head<2>());
     const QRectF red = box_of_red(picture, at, 60);
     INFO(red.width() << " x " << red.height());
     CHECK(red.width() > 5);

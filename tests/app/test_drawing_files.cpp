@@ -160,14 +160,14 @@ TEST_CASE("the camera of an object is a view of the scene, with any tool and bes
   hand.act("camera-1");
   CHECK(hand.studio().sheet_node() == 0);
   hand.picture();
-  const auto seen = hand.viewport().looked_through();
+  const auto seen = app::looked_through(hand.viewport().views());
   REQUIRE(seen);
   const app::ViewPane& pane = hand.viewport().pane(app::PerspectiveView);
   const Vec3 vertex = hand.studio().objects().front().mesh->positions.front();
   const Vec2 on_sheet = seen->camera.project(vertex) - (seen->origin + seen->camera.image_size / 2);
   const double scale = 0.96 * std::min(pane.rect.width() / seen->camera.image_size.x(),
                                        pane.rect.height() / seen->camera.image_size.y());
-  const QPointF at = hand.viewport().model_to_widget(vertex, app::PerspectiveView) - pane.rect.center();
+  const QPointF at = app::model_to_widget(hand.viewport().views(), vertex, app::PerspectiveView) - pane.rect.center();
   CHECK(std::abs(at.x() - scale * on_sheet.x()) < 0.01);
   CHECK(std::abs(at.y() - scale * on_sheet.y()) < 0.01);
   const glm::dvec3 eye = pane.camera.eye;

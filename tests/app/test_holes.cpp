@@ -227,7 +227,7 @@ TEST_CASE("an open hole's way shows in its preview and leaves it open", "[hole-w
 TEST_CASE("holes are picked in the views, by list and box; a double click fills", "[holes]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
-  const auto& pins = holes(hand).tool.pins(hand.viewport().own_frame_of(Viewport::PerspectiveView));
+  const auto& pins = holes(hand).tool.pins(app::own_frame_of(hand.viewport().views(), Viewport::PerspectiveView));
   const auto seen =
       std::find_if(pins.begin(), pins.end(), [](const HolePin& pin) { return pin.visible && pin.facing; });
   REQUIRE(seen != pins.end());

@@ -24,7 +24,7 @@ namespace {
 /// What came of a stroke before anything was cleaned.
 struct DrawnInk : QObject {
   explicit DrawnInk(Viewport& viewport) {
-    connect(&viewport, &Viewport::committed, this, [this](const recorded::Step& step) {
+    connect(&viewport.views(), &app::Views::committed, this, [this](const recorded::Step& step) {
       if (const auto* stroke = step.as<recorded::StrokeDrawn>()) strokes.push_back(stroke->points);
     });
   }
@@ -143,7 +143,8 @@ std::vector<QPoint> at_pace(Viewport& viewport, const std::vector<Vec2>& stroke)
     const double along = lengths.back() * k / moves;
     while (next + 2 < stroke.size() && lengths[next + 1] < along) ++next;
     const double share = (along - lengths[next]) / (lengths[next + 1] - lengths[next]);
-    const QPoint place = viewport.sketch_to_widget(stroke[next] + share * (stroke[next + 1] - stroke[next])).toPoint();
+    const QPoint place =
+        app::sketch_to_widget(viewport.views(), stroke[next] + share * (stroke[next + 1] - stroke[next])).toPoint();
     if (places.empty() || places.back() != place) places.push_back(place);
   }
   return places;
@@ -265,12 +266,12 @@ TEST_CASE("while a stroke is under way only the rectangle of its newest ink is d
   hand.continue_stroke({20, 60});
   hand.continue_stroke({10, 60});
   view.pane(Viewport::PerspectiveView).camera.eye.x += 100;
-  view.redraw_all();
+  emit view.views().changed();
   hand.studio().set_parameter(hand.studio().solid_node(), "resolution", 7.0, false);
   hand.settle();
   CHECK(painted_over(view, solid) == 1);
   CHECK(painted_over(view, sketch) > 0.97);
-  const QPointF ink = view.sketch_to_widget({15, 60});
+  const QPointF ink = app::sketch_to_widget(view.views(), {15, 60});
   CHECK(painted_over(view, QRectF(ink - QPointF(2, 2), QSizeF(4, 4))) == 0);
 
   hand.end_stroke({10, 60});
@@ -291,7 +292,7 @@ TEST_CASE("ink that came piece by piece looks like ink drawn at once", "[ink][sc
     QApplication::processEvents();
   }
   const QImage pieces = hand.picture();
-  hand.viewport().arrange(app::Arrangement::SketchAndSolid);  // all is drawn again
+  hand.viewport().views().layout.arrange(app::Arrangement::SketchAndSolid);  // all is drawn again
   const QImage whole = hand.picture();
   CHECK(largest_difference(pieces, whole) <= 3);
   hand.end_stroke(spiral.back());
@@ -311,7 +312,7 @@ TEST_CASE("what is computed while a stroke is under way is shown when it has end
   CHECK(!hand.studio().busy());
   CHECK(reports == 0);
   CHECK(hand.sketch().scene().finding_marks().empty());
-  CHECK(!view.help().contains("stroke"));
+  CHECK(!app::help_of(view.views()).contains("stroke"));
   hand.act("deselect");  // gives the stroke up
   CHECK(reports > 0);
   CHECK(!hand.sketch().scene().finding_marks().empty());
@@ -327,7 +328,7 @@ TEST_CASE("of moves that waited for a busy window only the newest is looked at, 
   QObject::connect(&hand.mesh(), &app::Tool::changed, [&] { ++changes; });
   const WorkObject* mug = hand.studio().active();
   REQUIRE(mug != nullptr);
-  const QPointF vertex = view.model_to_widget(mug->shown()->positions.front(), Viewport::PerspectiveView);
+  const QPointF vertex = app::model_to_widget(view.views(), mug->shown()->positions.front(), Viewport::PerspectiveView);
   const QPointF nothing = view.pane(Viewport::PerspectiveView).rect.topLeft() + QPointF(30, 60);
   constexpr quint64 start = 1'000'000;
   constexpr int moves = 40;

@@ -95,7 +95,7 @@ TEST_CASE("a snake drawn with a pen becomes solid, is bent, undone, saved, opene
   app::export_solid(hand.studio(), solid);
   CHECK(passes_check(solid));
   const QString picture = hand.folder() + "/snake.png";
-  hand.viewport().export_picture(hand.window().parts().pictures, picture);
+  app::export_picture(hand.window().parts().pictures, hand.viewport().views(), picture);
   CHECK(QImage(picture).height() > 1000);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("what can't be read is marked where it is, with its sentence, until th
   CHECK((marks.front().at.head<2>() - open[30]).norm() < 15);
   CHECK(marks.front().sentence.contains("stroke 1"));
   CHECK(hand.window().findChild<app::FindingsList*>("findings")->count() >= 1);
-  const QPointF at = hand.viewport().sketch_to_widget(marks.front().at.head<2>());
+  const QPointF at = app::sketch_to_widget(hand.viewport().views(), marks.front().at.head<2>());
   const auto is_red = [](const QColor& c) { return c.red() > 150 && c.green() < 110 && c.blue() < 110; };
   CHECK(test::share_of_pixels(hand.picture(), QRectF(at - QPointF(8, 8), QSizeF(16, 16)), is_red) > 0.1);
 

@@ -34,7 +34,7 @@ Index vertex_at(const PolyMesh& mesh, const Vec3& place) {
 }
 
 Vec2 pixel_of(StudioFixture& hand, const Vec3& place, int view) {
-  const QPointF at = hand.viewport().model_to_widget(place, view);
+  const QPointF at = app::model_to_widget(hand.viewport().views(), place, view);
   return {at.x(), at.y()};
 }
 
@@ -57,7 +57,7 @@ constexpr std::array axis_handles = {ManipulatorHandle::X, ManipulatorHandle::Y,
 /// @return how far the arrow's tip is from where the pointer ended, pixels; none where the view shows no such arrow
 std::optional<double> pull_arrow(StudioFixture& hand, Index vertex, int axis, double pixels, int view) {
   const Vec3 from = cage(hand).positions[vertex];
-  const ViewFrame frame = hand.viewport().frame_of(view);
+  const ViewFrame frame = app::frame_of(hand.viewport().views(), view);
   const Vec3 tip = from + 66 * frame.units_per_pixel(from) * Vec3::Unit(axis);
   const Vec2 start = pixel_of(hand, tip, view);
   const Vec2 along = start - pixel_of(hand, from, view);
@@ -85,7 +85,7 @@ const std::array<NearView, 2> near_views{
 
 /// Shows the perspective view alone, from there.
 void look_from(StudioFixture& hand, const NearView& near) {
-  hand.viewport().show_alone(Viewport::PerspectiveView);
+  hand.viewport().views().layout.show_alone(Viewport::PerspectiveView);
   render::Camera& camera = hand.viewport().pane(Viewport::PerspectiveView).camera;
   camera.eye = {near.eye.x(), near.eye.y(), near.eye.z()};
   camera.target = {near.target.x(), near.target.y(), near.target.z()};
@@ -133,7 +133,7 @@ TEST_CASE("the nearest corner of a cube follows its arrows, in every view", "[me
   hand.settle();
   const Vec3 corner(1, 1, 1);
   for (const int view : all_views) {
-    hand.viewport().show_alone(view);
+    hand.viewport().views().layout.show_alone(view);
     render::Camera& camera = hand.viewport().pane(view).camera;
     camera = render::dolly(camera, 0.8);  // room for an arrow beside the cube
     hand.settle();
@@ -248,7 +248,7 @@ TEST_CASE("pulling, extruding and undoing leave every view as it is", "[mesh-han
   // Far enough to leave the view in part.
   const QRectF pane = hand.viewport().pane(Viewport::PerspectiveView).rect.adjusted(15, 15, -15, -15);
   const Vec3 pivot = tool.manipulator()->pivot;
-  const double unit = hand.viewport().frame_of(Viewport::PerspectiveView).units_per_pixel(pivot);
+  const double unit = app::frame_of(hand.viewport().views(), Viewport::PerspectiveView).units_per_pixel(pivot);
   const Vec3 tip = pivot + 75 * unit * Vec3::UnitZ();  // of an arrow
   for (const auto& [place, to] : {std::pair(pivot, pane.bottomRight()), std::pair(tip, pane.bottomLeft())}) {
     const std::vector<Vec3> was = cage(hand).positions;
@@ -269,7 +269,7 @@ TEST_CASE("an object that is added is framed together with what is there", "[mes
   open_mesh(hand, centred_cube(), "cube");
   open_mesh(hand, test::translated(centred_cube(), {40, 0, 0}), "far");
   for (const Vec3& place : {Vec3(0, 0, 0), Vec3(40, 0, 0)}) {
-    const QPointF at = hand.viewport().model_to_widget(place, Viewport::PerspectiveView);
+    const QPointF at = app::model_to_widget(hand.viewport().views(), place, Viewport::PerspectiveView);
     CHECK(hand.viewport().pane(Viewport::PerspectiveView).rect.contains(at));
   }
 }
@@ -299,7 +299,7 @@ TEST_CASE("a mesh in a sketch of another size is offered to be scaled, as a step
   REQUIRE(bounds);
   for (const int view : {Viewport::SketchView, Viewport::PerspectiveView}) {
     for (const Vec3& corner : *bounds) {
-      CHECK(hand.viewport().pane(view).rect.contains(hand.viewport().model_to_widget(corner, view)));
+      CHECK(hand.viewport().pane(view).rect.contains(app::model_to_widget(hand.viewport().views(), corner, view)));
     }
   }
   hand.act("undo");
@@ -330,19 +330,19 @@ TEST_CASE("while the camera moves a large mesh has fewer triangles, and all when
   Viewport& viewport = hand.viewport();
   constexpr std::size_t all = 220'000;
   constexpr int view = Viewport::PerspectiveView;
-  REQUIRE(hand.wait_for([&] { return viewport.triangles_drawn(view) == all; }));
+  REQUIRE(hand.wait_for([&] { return viewport.pictures().state(view).triangles == all; }));
   const QPointF middle = viewport.pane(view).rect.center();
   hand.send_mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::AltModifier);
   for (int k = 1; k <= 5; ++k) {
-    const int before = viewport.frames();
+    const int before = viewport.pictures().frames;
     hand.send_mouse(QEvent::MouseMove, middle + QPointF(9 * k, 4 * k), Qt::LeftButton, Qt::AltModifier);
-    REQUIRE(hand.wait_for([&] { return viewport.frames() > before; }));
-    CHECK(viewport.triangles_drawn(view) < 45'000);
+    REQUIRE(hand.wait_for([&] { return viewport.pictures().frames > before; }));
+    CHECK(viewport.pictures().state(view).triangles < 45'000);
   }
   hand.send_mouse(QEvent::MouseButtonRelease, middle + QPointF(45, 20), Qt::LeftButton, Qt::AltModifier);
-  CHECK(hand.wait_for([&] { return viewport.triangles_drawn(view) == all; }));
+  CHECK(hand.wait_for([&] { return viewport.pictures().state(view).triangles == all; }));
   // What is done to the mesh itself is seen as it is.
   hand.act("vertex-mode");
   hand.settle();
-  CHECK(viewport.triangles_drawn(view) == all);
+  CHECK(viewport.pictures().state(view).triangles == all);
 }

@@ -95,7 +95,7 @@ TEST_CASE("a dragged cage point moves the smooth surface while the button is dow
   const QImage before = hand.picture();
   const auto mesh_before = hand.studio().active()->mesh;
   const std::size_t steps = hand.studio().session().undo_labels().size();
-  const QPointF at = hand.viewport().model_to_widget(corner, Viewport::PerspectiveView);
+  const QPointF at = app::model_to_widget(hand.viewport().views(), corner, Viewport::PerspectiveView);
   hand.send_mouse(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::NoModifier);
   for (int k = 1; k <= 5; ++k) {
     hand.send_mouse(QEvent::MouseMove, at - QPointF(12 * k, 10 * k), Qt::LeftButton, Qt::NoModifier);
@@ -113,7 +113,7 @@ TEST_CASE("a dragged cage point moves the smooth surface while the button is dow
 TEST_CASE("what is under the pointer lights up, and a tagged edge shows its sharpness", "[meshes]") {
   StudioFixture hand;
   show_collar(hand);
-  const QPointF at = hand.viewport().model_to_widget(collar_edge, Viewport::PerspectiveView);
+  const QPointF at = app::model_to_widget(hand.viewport().views(), collar_edge, Viewport::PerspectiveView);
   hand.send_mouse(QEvent::MouseMove, QPointF(30, 300), Qt::NoButton, Qt::NoModifier);
   const auto blue = [](const QColor& c) { return is_like(c, app::colors::hover); };
   const QRectF around(at - QPointF(60, 60), QSizeF(120, 120));
@@ -151,7 +151,7 @@ TEST_CASE("four views look along the axes, never turn when flat, and Space shows
   StudioFixture hand;
   hand.open_cage("l_bracket");
   Viewport& view = hand.viewport();
-  CHECK(view.panes().alone() == Viewport::PerspectiveView);
+  CHECK(view.views().layout.alone() == Viewport::PerspectiveView);
   hand.act("layout");
   hand.settle();
   const auto not_plain = [](const QColor& c) { return c.saturation() > 25 && c.lightness() > 90; };
@@ -168,9 +168,9 @@ TEST_CASE("four views look along the axes, never turn when flat, and Space shows
   CHECK(glm::length(after.target - before.target) > 1e-3);
   QTest::mouseMove(&view, top.toPoint());
   hand.act("layout");
-  CHECK(view.panes().alone() == Viewport::TopView);
+  CHECK(view.views().layout.alone() == Viewport::TopView);
   hand.act("layout");
-  CHECK(view.panes().shown().size() == 4);
+  CHECK(view.views().layout.shown().size() == 4);
 }
 
 TEST_CASE("several meshes are listed, hidden, renamed, deleted, and brought back", "[mesh-views]") {

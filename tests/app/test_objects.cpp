@@ -41,12 +41,12 @@ NodeId node_of(StudioFixture& hand, const char* name) {
 }
 
 QPointF widget_place(StudioFixture& hand, const Vec3& place) {
-  return hand.viewport().model_to_widget(place, app::Viewport::PerspectiveView);
+  return app::model_to_widget(hand.viewport().views(), place, app::Viewport::PerspectiveView);
 }
 
 /// Pulls the arrow of that axis of the manipulator in the middle of what is picked by so many pixels along itself.
 void pull_arrow_of(StudioFixture& hand, const Vec3& pivot, int axis, double pixels) {
-  const double unit = hand.viewport().frame_of(app::Viewport::PerspectiveView).units_per_pixel(pivot);
+  const double unit = app::frame_of(hand.viewport().views(), app::Viewport::PerspectiveView).units_per_pixel(pivot);
   const QPointF from = widget_place(hand, pivot + 60 * unit * Vec3::Unit(axis));
   const QPointF along = from - widget_place(hand, pivot);
   const double length = std::hypot(along.x(), along.y());

@@ -43,7 +43,8 @@ std::vector<QPoint> way_of(StudioFixture& hand, const PerspectiveStroke& stroke,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(places.size() - 1);
     const Vec2 place = places[i] + (1 - t) * start + t * end;
-    const QPoint at = hand.viewport().mapToGlobal(hand.viewport().sketch_to_widget({place.x(), -place.y()})).toPoint();
+    const QPoint at =
+        hand.viewport().mapToGlobal(app::sketch_to_widget(hand.viewport().views(), {place.x(), -place.y()})).toPoint();
     if (way.empty() || way.back() != at) way.push_back(at);
   }
   return way;
@@ -113,7 +114,7 @@ TEST_CASE("looked through, every vertex is seen where it was drawn, and turning 
     double worst = 0;
     for (const Vec3& vertex : sheet_of(hand).result()->network.vertices) {
       const QPointF seen =
-          hand.viewport().model_to_widget(placement(vertex), app::PerspectiveView) - pane.rect.center();
+          app::model_to_widget(hand.viewport().views(), placement(vertex), app::PerspectiveView) - pane.rect.center();
       const Vec2 sheet = sheet_of(hand).result()->camera.project(vertex) - truth.drawing.centre();
       worst = std::max({worst, std::abs(seen.x() - scale * sheet.x()), std::abs(seen.y() - scale * sheet.y())});
     }
@@ -173,9 +174,9 @@ TEST_CASE("keys over the sheet choose groups, elsewhere they are those of the vi
   CHECK(sheet_of(hand).tool.role() == StrokeRole::Construction);
   QTest::keyClick(&hand.viewport(), Qt::Key_E);
   CHECK(sheet_of(hand).tool.role() == StrokeRole::Edge);
-  CHECK(hand.viewport().tool_in(app::SketchView)->keys.pressed.contains(Qt::Key_4));
+  CHECK(app::tool_in(hand.viewport().views(), app::SketchView)->keys.pressed.contains(Qt::Key_4));
   hand.act("new");
-  CHECK_FALSE(hand.viewport().tool_in(app::SketchView)->keys.pressed.contains(Qt::Key_4));
+  CHECK_FALSE(app::tool_in(hand.viewport().views(), app::SketchView)->keys.pressed.contains(Qt::Key_4));
 }
 
 TEST_CASE("half of a bottle is completed by the mirror, and a wrong group is fixed by the chip", "[perspective]") {

@@ -44,7 +44,7 @@ QString chip_text(StudioFixture& hand) {
 }
 
 QPointF on_screen(StudioFixture& hand, const Vec2& sheet) {
-  return hand.viewport().sketch_to_widget({sheet.x(), -sheet.y()});
+  return app::sketch_to_widget(hand.viewport().views(), {sheet.x(), -sheet.y()});
 }
 
 /// A place of the sheet view where nothing is drawn.

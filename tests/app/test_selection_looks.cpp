@@ -52,7 +52,7 @@ double luminance_of(StudioFixture& hand, const QImage& picture, Index face, int 
   for (const Index vertex : cage(hand).face(face)) {
     for (const double share : {0.0, 0.15, 0.3}) {
       const Vec3 place = middle + share * (cage(hand).positions[vertex] - middle);
-      values.push_back(luminance_at(picture, hand.viewport().model_to_widget(place, view)));
+      values.push_back(luminance_at(picture, app::model_to_widget(hand.viewport().views(), place, view)));
     }
   }
   return median(values);
@@ -72,7 +72,7 @@ std::pair<double, double> range_around(const QImage& picture, const QPointF& at,
 
 /// Faces of a ball that look into a view from its middle and from its sides, in light and in shadow.
 std::vector<Index> faces_seen(StudioFixture& hand, int view) {
-  const ViewFrame frame = hand.viewport().frame_of(view);
+  const ViewFrame frame = app::frame_of(hand.viewport().views(), view);
   std::vector<Index> faces;
   for (Index face = 0; face < cage(hand).face_count(); face += 7) {
     const Vec3 middle = middle_of(cage(hand), face);
@@ -109,7 +109,8 @@ TEST_CASE("a selected face stands out from the faces around it, in light and in 
       // Nothing is three times darker than a deep shadow: there the bright rim shows it.
       const Vec3 rim =
           (cage(hand).positions[cage(hand).face(face)[0]] + cage(hand).positions[cage(hand).face(face)[1]]) / 2;
-      const auto [darkest, brightest] = range_around(picture, hand.viewport().model_to_widget(rim, view), 3);
+      const auto [darkest, brightest] =
+          range_around(picture, app::model_to_widget(hand.viewport().views(), rim, view), 3);
       CHECK(contrast(darkest, brightest) >= wanted_contrast);
       CHECK((plain > 0.15 ? filled : std::max(contrast(plain, darkest), contrast(plain, brightest))) >=
             wanted_contrast);
@@ -138,7 +139,7 @@ TEST_CASE("selected edges and vertices stand out from any surface", "[selection-
         hand.send_mouse(QEvent::MouseMove, QPointF(2, 2), Qt::NoButton, Qt::NoModifier);
         REQUIRE(hand.studio().session().components().elements.size() == 1);
         const QImage picture = hand.picture();
-        const QPointF at = hand.viewport().model_to_widget(place, view);
+        const QPointF at = app::model_to_widget(hand.viewport().views(), place, view);
         const double around = luminance_of(hand, before, face, view);
         const auto [darkest, brightest] = range_around(picture, at, edges ? 4 : 7);
         CAPTURE(view, edges, face, around, darkest, brightest);
@@ -162,8 +163,8 @@ TEST_CASE("a selected object has an outline that is seen against it and the back
   hand.studio().session().select({{hand.studio().objects()[1].node, ""}});
   const QImage picture = hand.picture();
   for (const int view : all_views) {
-    const ViewFrame frame = hand.viewport().frame_of(view);
-    const QPointF middle = hand.viewport().model_to_widget(Vec3::Zero(), view);
+    const ViewFrame frame = app::frame_of(hand.viewport().views(), view);
+    const QPointF middle = app::model_to_widget(hand.viewport().views(), Vec3::Zero(), view);
     const double radius = 1 / frame.units_per_pixel(Vec3::Zero());
     int seen = 0, looked_at = 0;
     for (int degrees = 0; degrees < 360; degrees += 10) {
@@ -203,7 +204,7 @@ TEST_CASE("the only object has an outline while it is selected, and keeps its co
   const QImage selected = hand.picture();
   hand.act("deselect");
   const QImage plain = hand.picture();
-  const QPointF middle = hand.viewport().model_to_widget(Vec3::Zero(), Viewport::PerspectiveView);
+  const QPointF middle = app::model_to_widget(hand.viewport().views(), Vec3::Zero(), Viewport::PerspectiveView);
   CHECK(std::abs(luminance_at(selected, middle) - luminance_at(plain, middle)) < 0.01);
   CHECK(selected != plain);
 }

@@ -352,7 +352,7 @@ TEST_CASE("the thickness of the selected part is dragged at its front in the vie
   };
   const double before = depth();
   const QPoint front = handle->geometry().center();
-  const auto frame = hand.viewport().frame_of(app::PerspectiveView);
+  const auto frame = app::frame_of(hand.viewport().views(), app::PerspectiveView);
   const Vec3 pole(0, 0, before / 2);
   const Vec2 further = frame.project(pole * 1.5)->pixel - frame.project(pole)->pixel;
   drag_chip(*handle, QPoint(qRound(further.x()), qRound(further.y())));
@@ -391,7 +391,7 @@ TEST_CASE("the right button draws behind what is there; with the select tool it 
   QTest::qWait(250);
   const auto draw_with = [&](Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
     const auto places = round_line({80, 0}, 110);
-    const auto at = [&](const Vec2& place) { return hand.viewport().sketch_to_widget(place); };
+    const auto at = [&](const Vec2& place) { return app::sketch_to_widget(hand.viewport().views(), place); };
     hand.send_mouse(QEvent::MouseButtonPress, at(places.front()), button, modifiers);
     for (const Vec2& place : places) hand.send_mouse(QEvent::MouseMove, at(place), button, modifiers);
     if (const auto ink = hand.sketch().state().ink) CHECK(ink->pale);

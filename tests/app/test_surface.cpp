@@ -41,7 +41,7 @@ void shoot(StudioFixture& hand, const QString& name) {
   const QString folder = qEnvironmentVariable("CROQUIS_SHOTS");
   if (folder.isEmpty()) return;
   hand.settle();
-  hand.viewport().settle_now();
+  app::settle(hand.viewport().pictures(), true);
   QApplication::processEvents();
   hand.window().grab().save(folder + "/" + name + ".png");
 }
@@ -53,7 +53,9 @@ void open_network(StudioFixture& hand, const QString& name) {
 
 QPoint on_screen(StudioFixture& hand, const QPointF& widget) { return hand.viewport().mapToGlobal(widget).toPoint(); }
 
-QPointF seen(StudioFixture& hand, const Vec3& world) { return hand.viewport().model_to_widget(world, PerspectiveView); }
+QPointF seen(StudioFixture& hand, const Vec3& world) {
+  return app::model_to_widget(hand.viewport().views(), world, PerspectiveView);
+}
 
 /// A hand's way between two places of the screen: bent sideways, shaking by a pixel, and missing both ends.
 std::vector<QPoint> way_of_hand(StudioFixture& hand, const QPointF& from, const QPointF& to, double bend,
@@ -182,7 +184,7 @@ TEST_CASE("a click inside a loop makes a patch of it, and a loop that isn't clos
   QPointF middle;
   for (const AttributeNode& node : drawn(hand).nodes) middle += seen(hand, network_of(hand).to_world()(node.point)) / 3;
   QTest::keyClick(&hand.viewport(), Qt::Key_P);
-  CHECK(hand.viewport().mode() == "patch");
+  CHECK(hand.viewport().views().mode == "patch");
   hand.send_mouse(QEvent::MouseMove, middle, Qt::NoButton, Qt::NoModifier);
   CHECK(network_of(hand).tool.preview().loop);
   hand.drag_pixels(middle, middle, Qt::LeftButton, Qt::NoModifier);

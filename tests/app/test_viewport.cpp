@@ -53,22 +53,22 @@ TEST_CASE("a view that would look as before isn't drawn again, ink that was give
   hand.draw(test::circle_sketch());
   Viewport& view = hand.viewport();
   const QImage before = hand.picture();
-  const int sketches = view.pictures_drawn(Viewport::SketchView);
-  const int solids = view.pictures_drawn(Viewport::PerspectiveView);
-  view.redraw_all();
+  const int sketches = view.pictures().state(Viewport::SketchView).drawn_count;
+  const int solids = view.pictures().state(Viewport::PerspectiveView).drawn_count;
+  emit view.views().changed();
   hand.settle();
-  CHECK(view.pictures_drawn(Viewport::PerspectiveView) == solids);
-  CHECK(view.pictures_drawn(Viewport::SketchView) == sketches);
+  CHECK(view.pictures().state(Viewport::PerspectiveView).drawn_count == solids);
+  CHECK(view.pictures().state(Viewport::SketchView).drawn_count == sketches);
   hand.begin_stroke({{-100, 0}, {-50, 60}, {0, 80}, {60, 40}});
   hand.settle();
   hand.act("deselect");
   CHECK(hand.picture() == before);
-  CHECK(view.pictures_drawn(Viewport::PerspectiveView) == solids);
-  CHECK(view.pictures_drawn(Viewport::SketchView) == sketches + 1);
-  view.move_camera(Viewport::PerspectiveView, CameraMotion{CameraMotion::Kind::Tumble, {40, 10}});
-  view.redraw_all();
+  CHECK(view.pictures().state(Viewport::PerspectiveView).drawn_count == solids);
+  CHECK(view.pictures().state(Viewport::SketchView).drawn_count == sketches + 1);
+  app::move_camera(view.views(), Viewport::PerspectiveView, CameraMotion{CameraMotion::Kind::Tumble, {40, 10}});
+  emit view.views().changed();
   hand.settle();
-  CHECK(view.pictures_drawn(Viewport::PerspectiveView) > solids);
+  CHECK(view.pictures().state(Viewport::PerspectiveView).drawn_count > solids);
 }
 
 TEST_CASE("the wheel keeps the place under the pointer, Alt drags turn, shift and near", "[viewport][scale]") {
@@ -153,7 +153,7 @@ TEST_CASE("the sentence about a swallowed Alt goes once something else is done",
       QKeyEvent key(type, Qt::Key_Alt, type == QEvent::KeyPress ? Qt::NoModifier : Qt::AltModifier);
       QApplication::sendEvent(&view, &key);
     }
-    view.note_window_moved();
+    app::note_window_moved(view.views());
     REQUIRE(line->text().contains("uses Alt"));
   };
   swallow();

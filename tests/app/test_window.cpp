@@ -236,7 +236,7 @@ TEST_CASE("a new sketch has the pen in the hand, whatever was in it before", "[w
     if (of_meshes) hand.open_cage("mug");
     hand.act(tool);
     hand.act("new");
-    CHECK(hand.viewport().mode() == app::first_mode);
+    CHECK(hand.viewport().views().mode == app::first_mode);
     CHECK(hand.window().action("draw")->isChecked());
     CHECK(hand.viewport().pane(app::Viewport::SketchView).visible());
     draw_ring(hand);
@@ -312,7 +312,7 @@ TEST_CASE("panels are closed, come back, and the layout is remembered until it i
   dock(*window, "history-dock")->close();
   CHECK(!window->action("panel-history")->isChecked());
   window->resize(1180, 720);
-  window->viewport().set_pane_shares({0.3, 0.6});
+  window->viewport().views().layout.set_shares({0.3, 0.6});
   window->resizeDocks({dock(*window, "objects-dock")}, {380}, Qt::Horizontal);
   QApplication::processEvents();
   const int width = dock(*window, "objects-dock")->width();
@@ -328,14 +328,14 @@ TEST_CASE("panels are closed, come back, and the layout is remembered until it i
   CHECK(!dock(*window, "history-dock")->isVisible());
   CHECK(dock(*window, "objects-dock")->isVisible());
   CHECK(std::abs(dock(*window, "objects-dock")->width() - width) <= 2);
-  CHECK(window->viewport().pane_shares() == QPointF(0.3, 0.6));
+  CHECK(window->viewport().views().layout.shares() == QPointF(0.3, 0.6));
   window->action("panel-history")->trigger();
   CHECK(dock(*window, "history-dock")->isVisible());
   dock(*window, "findings-dock")->close();
   window->action("reset-layout")->trigger();
   QApplication::processEvents();
   CHECK(window->size() == first);
-  CHECK(window->viewport().pane_shares() == QPointF(0.5, 0.5));
+  CHECK(window->viewport().views().layout.shares() == QPointF(0.5, 0.5));
   for (const char* name : {"objects-dock", "attributes-dock", "findings-dock", "history-dock"}) {
     CHECK(dock(*window, name)->isVisible());
   }

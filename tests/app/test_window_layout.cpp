@@ -150,7 +150,7 @@ void check_readable(StudioFixture& hand, const std::string& state) {
     CHECK(label->width() >= label->minimumSizeHint().width());
   }
   if (!window.shows_views()) return;
-  CHECK(help->text().toStdString() == hand.viewport().help().toStdString());
+  CHECK(help->text().toStdString() == app::help_of(hand.viewport().views()).toStdString());
   for (const int view : all_views) {
     const app::ViewPane& pane = hand.viewport().pane(view);
     if (!pane.visible()) continue;

@@ -141,7 +141,7 @@ TEST_CASE("what a drag of a handle has done stands at the pointer", "[words]") {
   hand.settle();
   REQUIRE(hand.mesh().tool().manipulator());
   const Vec3 pivot = hand.mesh().tool().manipulator()->pivot;
-  const QPointF from = hand.viewport().model_to_widget(pivot, app::PerspectiveView);
+  const QPointF from = app::model_to_widget(hand.viewport().views(), pivot, app::PerspectiveView);
   hand.send_mouse(QEvent::MouseMove, from, Qt::NoButton, {});
   hand.send_mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, {});
   hand.send_mouse(QEvent::MouseMove, from + QPointF(30, 0), Qt::LeftButton, {});
@@ -152,7 +152,7 @@ TEST_CASE("what a drag of a handle has done stands at the pointer", "[words]") {
   const auto* value = hand.viewport().findChild<QLabel*>("edge-value");
   CHECK(value->isVisible());
   CHECK(value->text().startsWith(app::number_words(motion->by.norm())));
-  CHECK(hand.viewport().help().startsWith(value->text()));
+  CHECK(app::help_of(hand.viewport().views()).startsWith(value->text()));
   hand.send_mouse(QEvent::MouseButtonRelease, from + QPointF(60, 0), Qt::LeftButton, {});
   hand.picture();
   CHECK_FALSE(value->isVisible());
@@ -164,7 +164,7 @@ TEST_CASE("points and inner curves say what they lack before there is a patch", 
   hand.settle();
   for (const char* mode : {"surface-point", "inner-curve"}) {
     hand.act(mode);
-    CHECK(hand.viewport().help().contains("no patch yet"));
+    CHECK(app::help_of(hand.viewport().views()).contains("no patch yet"));
     const QPointF middle = hand.viewport().pane(app::PerspectiveView).rect.center();
     hand.send_mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton, {});
     hand.send_mouse(QEvent::MouseButtonRelease, middle, Qt::LeftButton, {});
@@ -198,7 +198,7 @@ TEST_CASE("looking for holes where there are none says so and adds no step", "[w
   CHECK(hand.studio().session().undo_labels() == steps);
   CHECK(hand.studio().session().document().nodes().size() == nodes);
   CHECK(label_text(hand, "message").contains("has no holes"));
-  CHECK(hand.viewport().mode() != "holes");
+  CHECK(hand.viewport().views().mode != "holes");
 }
 
 TEST_CASE("the sheet of a new drawing in perspective has half of the views' width at least", "[words]") {
@@ -209,10 +209,10 @@ TEST_CASE("the sheet of a new drawing in perspective has half of the views' widt
     app::show_views(hand.window());
     hand.settle();
     const Vec2 sheet = hand.window().tool<app::PerspectiveDrawingTool>().sheet().drawing().image_size;
-    const double width =
-        hand.viewport().sketch_to_widget({sheet.x(), 0}).x() - hand.viewport().sketch_to_widget({0, 0}).x();
+    const double width = app::sketch_to_widget(hand.viewport().views(), {sheet.x(), 0}).x() -
+                         app::sketch_to_widget(hand.viewport().views(), {0, 0}).x();
     CHECK(width >= 0.5 * hand.viewport().width());
-    CHECK(hand.viewport().pane_shares().x() == 0.5);  // nobody has moved the border
+    CHECK(hand.viewport().views().layout.shares().x() == 0.5);  // nobody has moved the border
   }
   hand.act("new");
   hand.settle();

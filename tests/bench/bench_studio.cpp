@@ -84,11 +84,11 @@ Times operation_alone(const test::Sketch& sketch, Quality quality) {
 Times plain_frame(test::StudioFixture& hand) {
   std::vector<double> ms;
   for (int run = 0; run < 50; ++run) {
-    const int frames = hand.viewport().frames();
+    const int frames = hand.viewport().pictures().frames;
     QElapsedTimer watch;
     watch.start();
-    hand.viewport().frame_all();
-    ms.push_back(ms_until(hand, watch, [&] { return hand.viewport().frames() > frames; }));
+    app::frame_all(hand.viewport().views());
+    ms.push_back(ms_until(hand, watch, [&] { return hand.viewport().pictures().frames > frames; }));
   }
   return spread(ms);
 }
@@ -130,7 +130,7 @@ Times drag_to_solid(const test::Sketch& sketch) {
   hand.act("select");
   const StrokeFit* fit = hand.sketch().tool().fit(hand.studio().drawing().strokes.front().id);
   const Vec2 anchor = fit->anchors[fit->anchors.size() / 2].position;
-  const QPointF start = hand.viewport().sketch_to_widget(anchor);
+  const QPointF start = app::sketch_to_widget(hand.viewport().views(), anchor);
   hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
   hand.send_mouse(QEvent::MouseMove, start + QPointF(6, 0), Qt::LeftButton, Qt::NoModifier);
   hand.settle();
@@ -156,9 +156,9 @@ void event_to_frame() {
   std::vector<double> ms;
   hand.begin_stroke({{0, 0}});
   for (int k = 0; k < 200; ++k) {
-    const int frames = hand.viewport().frames();
+    const int frames = hand.viewport().pictures().frames;
     hand.continue_stroke({30.0 * std::cos(0.1 * k), 30.0 * std::sin(0.1 * k)});
-    hand.wait_for([&] { return hand.viewport().frames() > frames; });
+    hand.wait_for([&] { return hand.viewport().pictures().frames > frames; });
     ms.push_back(hand.viewport().last_latency_ms());
   }
   print("pen event to frame, 1440 x 900 (a frame without news)", spread(ms), peer);
@@ -195,16 +195,17 @@ void drag_of_cage() {
   hand.settle();
   const Index vertex = static_cast<Index>(cage.vertex_count() / 2);
   hand.mesh().act([&](MeshTool& tool) { return tool.selection().pick(ComponentKind::Vertex, {vertex}); });
-  const QPointF start = hand.viewport().model_to_widget(cage.positions[vertex], Viewport::PerspectiveView);
+  const QPointF start =
+      app::model_to_widget(hand.viewport().views(), cage.positions[vertex], Viewport::PerspectiveView);
   hand.send_mouse(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::NoModifier);
   std::vector<double> to_result, to_frame;
   for (int step = 0; step < 20; ++step) {
     const auto before = hand.studio().active()->mesh;
-    const int frames = hand.viewport().frames();
+    const int frames = hand.viewport().pictures().frames;
     QElapsedTimer watch;
     watch.start();
     hand.send_mouse(QEvent::MouseMove, start - QPointF(0, 3 * (step + 1)), Qt::LeftButton, Qt::NoModifier);
-    to_frame.push_back(ms_until(hand, watch, [&] { return hand.viewport().frames() > frames; }));
+    to_frame.push_back(ms_until(hand, watch, [&] { return hand.viewport().pictures().frames > frames; }));
     to_result.push_back(ms_until(hand, watch, [&] { return hand.studio().active()->mesh != before; }));
   }
   hand.send_mouse(QEvent::MouseButtonRelease, start, Qt::LeftButton, Qt::NoModifier);
@@ -266,13 +267,13 @@ void orbit() {
   hand.send_mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton, Qt::AltModifier);
   std::vector<double> ms;
   for (int k = 0; k < 40; ++k) {
-    const int frames = viewport.frames();
+    const int frames = viewport.pictures().frames;
     QElapsedTimer watch;
     watch.start();
     hand.send_mouse(QEvent::MouseMove, middle + QPointF(6 * k + 6, 2 * k), Qt::LeftButton, Qt::AltModifier);
-    ms.push_back(ms_until(hand, watch, [&] { return viewport.frames() > frames; }));
+    ms.push_back(ms_until(hand, watch, [&] { return viewport.pictures().frames > frames; }));
   }
-  const std::size_t drawn = viewport.triangles_drawn(view);
+  const std::size_t drawn = viewport.pictures().state(view).triangles;
   hand.send_mouse(QEvent::MouseButtonRelease, middle, Qt::LeftButton, Qt::AltModifier);
   print("a picture while rotating 320,000 faces, " + std::to_string(drawn) + " triangles (all triangles drawn)",
         spread(ms), peer);

@@ -45,7 +45,7 @@ void wait_until_settled(MainWindow& window) {
 
 void save_window_picture(MainWindow& window, const QString& path) {
   wait_until_settled(window);
-  window.viewport().settle_now();
+  settle(window.viewport().pictures(), true);
   QApplication::processEvents();
   if (!window.grab().save(path, "PNG")) {
     throw Error(make_error(Category::Io, "E_WRITE", "\"" + path.toStdString() + "\" can't be written"));

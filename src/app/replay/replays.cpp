@@ -51,7 +51,7 @@ void use_file(MainWindow& window, const recorded::File& step) {
   } else if (step.verb == "save") {
     window.files().save(file);
   } else if (file.endsWith(".png")) {
-    window.viewport().export_picture(window.parts().pictures, file);
+    export_picture(window.parts().pictures, window.views(), file);
   } else if (file.endsWith(".svg") || (file.endsWith(".json") && window.studio().network_node() != 0)) {
     export_drawing(window.studio(), file);
   } else if (file.endsWith(".json")) {
@@ -67,16 +67,16 @@ void use_file(MainWindow& window, const recorded::File& step) {
   }
 }
 
-void navigate(Viewport& views, const recorded::Navigate& step) {
+void navigate(Views& views, const recorded::Navigate& step) {
   const int view = view_of(step.view);
-  const ViewPane& pane = views.pane(view);
+  const ViewPane& pane = views.layout.pane(view);
   CameraMotion motion;
   motion.kind = kind_of(step.motion);
   motion.delta = step.by * (pane.rect.height() / recorded_view_height);
   motion.factor = std::exp((step.by.x() - step.by.y()) * NavigationOptions().dolly_per_pixel);
   motion.about = Vec2(pane.rect.width() / 2, pane.rect.height() / 2);
-  views.move_camera(view, motion);
-  views.redraw_all();
+  move_camera(views, view, motion);
+  emit views.changed();
 }
 
 void expect_count(const Replays& all, const recorded::Expect& step) {
@@ -111,7 +111,7 @@ void add_steps(MainWindow& window, Replays& all) {
   all.on<recorded::Screenshot>(
       [&window](const auto& step) { save_window_picture(window, QString::fromStdString(step.file)); });
   all.on<recorded::File>([&window](const auto& step) { use_file(window, step); });
-  all.on<recorded::Navigate>([&window](const auto& step) { navigate(window.viewport(), step); });
+  all.on<recorded::Navigate>([&window](const auto& step) { navigate(window.views(), step); });
   all.on<recorded::Expect>([&window](const auto& step) {
     window.wait_until_settled();
     const Replays known = replays_of(window);

@@ -18,7 +18,9 @@ constexpr int watch_ms = 100;
 
 }  // namespace
 
-void ToolHost::set_mode(const QString& mode) { viewport().set_mode(mode); }
+Views& ToolHost::views() { return viewport().views(); }
+
+void ToolHost::set_mode(const QString& mode) { app::set_mode(views(), mode); }
 
 bool ToolHost::shows_views() { return !viewport().isHidden(); }
 
@@ -56,7 +58,7 @@ void select_face_sets(ToolHost& host, NodeId node, const std::vector<std::string
   studio.set_active(object->node);
   studio.session().select(std::move(selection));
   for (const auto& tool : host.tools()) tool->show(chosen);
-  if (!is_source) return host.viewport().redraw_all();
+  if (!is_source) return emit host.views().changed();
   pick(host, ComponentKind::Face, studio.face_sets().selected(*studio.active(), studio.session().selection()));
 }
 
@@ -107,7 +109,8 @@ bool works_on(const Studio& studio, const Node& step, ValueType type) {
 }
 
 void show_sketch_view(Viewport& views) {
-  if (!views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  PaneLayout& layout = views.views().layout;
+  if (!layout.pane(SketchView).visible()) layout.arrange(Arrangement::SketchAndSolid);
 }
 
 std::optional<SelectionFrame> frame_around(render::Bounds selected, const glm::dvec3& around) {

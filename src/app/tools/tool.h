@@ -34,6 +34,7 @@ namespace croquis::app {
 
 class Tool;
 class Viewport;
+class Views;
 
 /// The window, as its tools know it.
 class ToolHost {
@@ -42,6 +43,9 @@ class ToolHost {
 
   virtual Studio& studio() = 0;
   virtual Viewport& viewport() = 0;
+
+  /// What they show.
+  Views& views();
 
   /// In the order of their menus and buttons.
   virtual const std::vector<std::unique_ptr<Tool>>& tools() const = 0;

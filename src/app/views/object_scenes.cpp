@@ -33,6 +33,16 @@ LiveItem::Paint patch_paint(PatchLook look) {
   return [look](const std::shared_ptr<const PolyMesh>& mesh) { return colored_whole(mesh, look); };
 }
 
+/// Exact normals of each face's corners, as operations give them that know the surface. Scans have normals of vertices.
+bool has_own_normals(const PolyMesh& mesh) { return mesh.channel("normal", Domain::Corner) != nullptr; }
+
+render::MeshItemOptions options_of(bool flat, bool own_normals) {
+  render::MeshItemOptions options;
+  options.shading = flat ? render::FaceShading::Flat : render::FaceShading::Smooth;
+  options.use_normal_channel = !flat && own_normals;
+  return options;
+}
+
 render::MeshStyle style_of(MeshLook look) {
   switch (look) {
     case MeshLook::Wire: return render::MeshStyle::wire_only();
@@ -98,29 +108,14 @@ ObjectScenes::ObjectScenes(Studio& studio, QObject* parent) : QObject(parent), s
 
 ObjectScenes::~ObjectScenes() { threads_.waitForDone(); }
 
-std::unique_ptr<LiveItem> ObjectScenes::make_item() {
-  auto item = std::make_unique<LiveItem>(threads_);
-  connect(item.get(), &LiveItem::ready, this, &ObjectScenes::changed);
-  return item;
-}
-
 ObjectScenes::Items& ObjectScenes::items_of(NodeId node) {
   Items& items = items_[node];
-  if (!items.surface) {
-    items.surface = make_item();
-    items.cage = make_item();
-    items.filling = make_item();
+  if (items.surface) return items;
+  for (auto* item : {&items.surface, &items.cage, &items.filling}) {
+    *item = std::make_unique<LiveItem>(threads_);
+    connect(item->get(), &LiveItem::ready, this, &ObjectScenes::changed);
   }
   return items;
-}
-
-/// Exact normals of each face's corners, as operations give them that know the surface. Scans have normals of vertices.
-bool ObjectScenes::has_own_normals(const PolyMesh& mesh) { return mesh.channel("normal", Domain::Corner) != nullptr; }
-
-render::MeshItemOptions ObjectScenes::item_options() const {
-  render::MeshItemOptions options;
-  options.shading = flat_ ? render::FaceShading::Flat : render::FaceShading::Smooth;
-  return options;
 }
 
 void ObjectScenes::set_flat(bool flat) {
@@ -148,9 +143,7 @@ void ObjectScenes::follow_patches(const WorkObject& object, Items& items) {
   }
   items.filled = filled;
   items.filling_look = patch_look_;
-  render::MeshItemOptions options = item_options();
-  options.use_normal_channel = !flat_;
-  items.filling->show(items.filling_mesh, options);
+  items.filling->show(items.filling_mesh, options_of(flat_, true));
 }
 
 /// Which item shows them is only known when it is drawn: those of large meshes come later.
@@ -167,24 +160,7 @@ void ObjectScenes::highlight_chosen(const WorkObject& object, Items& items) cons
   items.chosen = faces;
   std::vector<Index> own = faces;
   for (Index& face : own) face -= static_cast<Index>(apart ? object.cage_mesh->face_count() : 0);
-  const QColor& color = colors::selected_face;
-  items.highlight =
-      render::make_face_highlight(live.item(), own, {color.red(), color.green(), color.blue(), color.alpha()});
-}
-
-render::Bounds ObjectScenes::chosen_bounds() const {
-  render::Bounds bounds;
-  for (const WorkObject& object : studio_.objects()) {
-    if (!object.visible) continue;
-    const Affine3 to_model = object.placement.map();
-    for (const Index face : studio_.face_sets().selected(object, studio_.session().selection())) {
-      for (const Index vertex : object.mesh->face(face)) {
-        const Vec3 place = to_model(object.mesh->positions[vertex]);
-        bounds.add(to_glm(place));
-      }
-    }
-  }
-  return bounds;
+  items.highlight = render::make_face_highlight(live.item(), own, with_own_alpha(colors::selected_face));
 }
 
 void ObjectScenes::follow() {
@@ -201,9 +177,9 @@ void ObjectScenes::follow() {
     const LiveItem::Paint paint = paints_patches                       ? patch_paint(patch_look_)
                                   : surface == object.mesh && painter_ ? painter_(object)
                                                                        : nullptr;
-    render::MeshItemOptions options = item_options();
-    options.use_normal_channel = !flat_ && surface && !object.is_source() && has_own_normals(*surface);
-    items.surface->show(surface, options, paint, paints_patches ? static_cast<int>(patch_look_) : 0);
+    const bool own_normals = surface && !object.is_source() && has_own_normals(*surface);
+    const int look = paints_patches ? static_cast<int>(patch_look_) : 0;
+    items.surface->show(surface, options_of(flat_, own_normals), paint, look);
     // The cage's own item serves its wire; a cage that is shown as a surface has one already.
     items.cage->show(items.shows_cage ? nullptr : object.cage_mesh, {});
   }
@@ -248,9 +224,8 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
       if (items->second.highlight) scene.highlights.push_back(items->second.highlight);
     }
     if (!cage_alone && ((edited && wanted.edited_cage) || object.view == ChainView::Both)) {
-      const QColor& color = colors::cage;
-      const render::Color wire(color.red(), color.green(), color.blue(), 230);
-      scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, render::MeshStyle::cage(wire));
+      const render::MeshStyle wire = render::MeshStyle::cage(to_color(colors::cage, 230));
+      scene.meshes.emplace_back(cage_item(object.cage), render::Emphasis{}, wire);
     }
   }
   return scene;

@@ -14,8 +14,6 @@
 #include "croquis/render/mesh_item.h"
 #include "croquis/render/scene.h"
 
-class QThreadPool;
-
 namespace croquis::app {
 
 /// The renderer's item of a mesh that changes. Small meshes are made ready at once, large ones on another
@@ -72,11 +70,9 @@ class ObjectScenes : public QObject {
 
   /// Every face by its own normal.
   void set_flat(bool flat);
-  bool flat() const { return flat_; }
 
   /// How patches of filled holes are coloured.
   void set_patch_look(PatchLook look);
-  PatchLook patch_look() const { return patch_look_; }
 
   /// What colours a computed surface gets that its mesh doesn't have: a paint, or null for none.
   using Painter = std::function<LiveItem::Paint(const WorkObject&)>;
@@ -102,9 +98,6 @@ class ObjectScenes : public QObject {
   };
   render::Scene scene(const Wanted& wanted) const;
 
-  /// Of the faces that are selected by their names; empty without any.
-  render::Bounds chosen_bounds() const;
-
   /// The surfaces alone, as pictures and thumbnails show them.
   std::vector<render::Shown<render::MeshItem>> surfaces() const;
 
@@ -116,8 +109,6 @@ class ObjectScenes : public QObject {
   bool busy() const;
 
   QThreadPool& threads() { return threads_; }
-  static bool has_own_normals(const PolyMesh& mesh);
-  render::MeshItemOptions item_options() const;
 
  signals:
   void changed();
@@ -138,7 +129,6 @@ class ObjectScenes : public QObject {
   Items& items_of(NodeId node);
   void follow_patches(const WorkObject& object, Items& items);
   void highlight_chosen(const WorkObject& object, Items& items) const;
-  std::unique_ptr<LiveItem> make_item();
 
   Studio& studio_;
   bool flat_ = false;

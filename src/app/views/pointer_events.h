@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QPointF>
+#include <QTimer>
 #include <cstdint>
 #include <optional>
 
+#include "app/views/marking_menu.h"
+#include "app/views/views.h"
 #include "croquis/tools/pointer/pointer_event.h"
 
 class QEventPoint;
@@ -42,7 +46,35 @@ PointerEvent pointer_event(const QWheelEvent& event);
 /// One finger of a touch event.
 PointerEvent pointer_event(const QEventPoint& finger);
 
-/// Where in the widget an event happened.
-inline Vec2 to_vec(const QPointF& point) { return {point.x(), point.y()}; }
+/// Pen, mouse, touch, wheel and keys over the views: what is under way with them.
+struct PointerInput {
+  explicit PointerInput(Views& shown);
+
+  struct LateMove {
+    PointerEvent event;
+    QPointF place;
+  };
+
+  Views& views;
+  MarkingMenu menu;
+  bool menu_by_key = false;  ///< it is open while a key is held, and follows the pointer
+  QPointF place;             ///< of the pointer, logical pixels of the widget
+  QPointF pressed_at;
+  QTimer long_press;          ///< a pen that rests opens the marking menu
+  int grabbed = -1;           ///< the view that the gesture under way began in, or -1
+  PaneLayout::Border border;  ///< being dragged
+  bool shows_tooltip = false;
+  QElapsedTimer clock;
+  EventClock event_clock;
+  std::optional<LateMove> late_move;  ///< a newer one may make it needless
+  double waiting_since_ms = -1;       ///< by the clock: the oldest input that no frame has shown yet; -1: none
+};
+
+/// Passes an event of the widget to navigation, the borders between the views, the marking menu or the tool that works
+/// in the view. @return whether nobody else may have it
+bool take(PointerInput& input, QEvent& event);
+
+/// The window itself was moved: by Alt and a drag, the desktop may keep them for itself.
+void note_window_moved(Views& views);
 
 }  // namespace croquis::app

@@ -17,6 +17,9 @@ inline render::Color to_color(const QColor& color, int alpha = 255) {
 /// The same with the opacity that the colour has itself.
 inline render::Color with_own_alpha(const QColor& color) { return to_color(color, color.alpha()); }
 
+/// How wide lines of sketches are, logical pixels.
+inline constexpr double ink_width = 2.2;
+
 /// A place for the renderer.
 inline glm::dvec3 to_glm(const Vec3& place) { return {place.x(), place.y(), place.z()}; }
 

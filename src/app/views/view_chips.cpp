@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/panels/object_names.h"
+#include "app/views/views.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -32,7 +33,42 @@ constexpr const char* message_style = "color: #8a93a0; background: transparent; 
 constexpr int lines_at_most = 8;
 
 QString faces(std::size_t count) {
-  return count == 1 ? ViewChips::tr("1 face") : ViewChips::tr("%1 faces").arg(QLocale().toString(qulonglong(count)));
+  return count == 1 ? Views::tr("1 face") : Views::tr("%1 faces").arg(QLocale().toString(qulonglong(count)));
+}
+
+/// How large the objects are that are shown.
+QString counts_of(const Studio& studio) {
+  QStringList lines;
+  for (const WorkObject& object : studio.objects()) {
+    if (!object.visible || !object.shown()) continue;
+    const QString name = shown_name(object);
+    QString line = name + ": " + faces(object.shown()->face_count());
+    if (object.cage_mesh && object.shown()->face_count() != object.cage_mesh->face_count()) {
+      line += Views::tr(" from %1").arg(faces(object.cage_mesh->face_count()));
+    }
+    lines << line;
+  }
+  if (lines.size() > lines_at_most) {
+    const auto more = lines.size() - lines_at_most;
+    lines = lines.mid(0, lines_at_most) << Views::tr("and %1 more").arg(more);
+  }
+  return lines.join("\n");
+}
+
+/// What a view is called by a tool, the camera that it is held at, or what it looks along.
+QString title_of(const Views& views, int view) {
+  const auto camera = view == PerspectiveView ? looked_through(views) : std::nullopt;
+  if (camera) return Views::tr("Camera of %1").arg(camera->name);
+  for (const Tool* tool : views.tools) {
+    if (const QString title = tool->use_of(view).title; !title.isEmpty()) return title;
+  }
+  switch (view) {
+    case SketchView: return Views::tr("Front");
+    case PerspectiveView: return Views::tr("Perspective");
+    case TopView: return Views::tr("Top");
+    case SideView: return Views::tr("Side");
+    default: return {};
+  }
 }
 
 }  // namespace
@@ -132,14 +168,10 @@ QLabel* make_chip_label(QWidget& views, const char* style) {
   return made;
 }
 
-ViewChips::ViewChips(Studio& studio, QWidget* views)
-    : QObject(views),
-      studio_(studio),
-      views_(views),
-      message_(make_chip_label(*views, message_style)),
-      counts_(make_chip_label(*views, name_style)) {
+ViewChips::ViewChips(const Views& views)
+    : message_(make_chip_label(views.widget, message_style)), counts_(make_chip_label(views.widget, name_style)) {
   counts_->setObjectName("counts");
-  for (QLabel*& name : names_) name = make_chip_label(*views, name_style);
+  for (QLabel*& name : names_) name = make_chip_label(views.widget, name_style);
 }
 
 void ViewChips::say(const QString& sentence) {
@@ -147,47 +179,28 @@ void ViewChips::say(const QString& sentence) {
   message_->adjustSize();
 }
 
-void ViewChips::place(ChipPlaces& places, const std::array<QString, view_count>& titles) {
-  const std::array<QString, view_count> plain{tr("Front"), tr("Perspective"), tr("Top"), tr("Side"), QString()};
+void ViewChips::place(const Views& views) {
+  ChipPlaces places(views.layout, views.widget);
   for (std::size_t view = 0; view < view_count; ++view) {
-    const ViewPane& pane = places.layout().pane(static_cast<int>(view));
-    names_[view]->setText(titles[view].isEmpty() ? plain[view] : titles[view]);
+    const ViewPane& pane = views.layout.pane(static_cast<int>(view));
+    names_[view]->setText(title_of(views, static_cast<int>(view)));
     names_[view]->adjustSize();
     if (pane.visible())
       places.put(*names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect);
     else
       names_[view]->hide();
   }
-  place_counts(places);
-  const QPointF middle = QRectF(views_->rect()).center();
-  if (!message_->text().isEmpty()) places.put(*message_, middle - QPointF(message_->width() / 2.0, 0));
-}
-
-void ViewChips::place_counts(ChipPlaces& places) {
-  counts_->setText(counts());
+  counts_->setText(counts_of(views.studio));
   counts_->setAlignment(Qt::AlignRight);
   counts_->adjustSize();
-  const ViewPane& pane = places.scene_pane();
-  if (counts_->text().isEmpty() || !pane.visible()) return counts_->hide();
-  places.put(*counts_, QPointF(pane.rect.right() - counts_->width() - 10, pane.rect.top() + 8));
-}
-
-QString ViewChips::counts() const {
-  QStringList lines;
-  for (const WorkObject& object : studio_.objects()) {
-    if (!object.visible || !object.shown()) continue;
-    const QString name = shown_name(object);
-    QString line = name + ": " + faces(object.shown()->face_count());
-    if (object.cage_mesh && object.shown()->face_count() != object.cage_mesh->face_count()) {
-      line += tr(" from %1").arg(faces(object.cage_mesh->face_count()));
-    }
-    lines << line;
-  }
-  if (lines.size() > lines_at_most) {
-    const auto more = lines.size() - lines_at_most;
-    lines = lines.mid(0, lines_at_most) << tr("and %1 more").arg(more);
-  }
-  return lines.join("\n");
+  const QRectF scene = places.scene_pane().rect;
+  if (counts_->text().isEmpty() || !places.scene_pane().visible())
+    counts_->hide();
+  else
+    places.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8));
+  const QPointF middle = QRectF(views.widget.rect()).center();
+  if (!message_->text().isEmpty()) places.put(*message_, middle - QPointF(message_->width() / 2.0, 0));
+  for (Tool* tool : views.tools) tool->place_chips(places);
 }
 
 }  // namespace croquis::app

@@ -18,6 +18,8 @@ class QToolButton;
 
 namespace croquis::app {
 
+class Views;
+
 /// Places for labels and buttons over a view: none covers another. The first ones get the places they want.
 class ChipSpace {
  public:
@@ -82,25 +84,17 @@ class ChipSet {
 };
 
 /// The labels that every view has: its name, and in one of them how large the objects are.
-class ViewChips : public QObject {
-  Q_OBJECT
-
+class ViewChips {
  public:
-  /// @param views that they stand on
-  ViewChips(Studio& studio, QWidget* views);
+  explicit ViewChips(const Views& views);
 
   /// In the middle, for as long as the program runs: for whatever can't be drawn.
   void say(const QString& sentence);
 
-  /// @param titles of the views, where they aren't called by what they look along
-  void place(ChipPlaces& places, const std::array<QString, view_count>& titles);
+  /// These labels, then those of the tools.
+  void place(const Views& views);
 
  private:
-  void place_counts(ChipPlaces& places);
-  QString counts() const;
-
-  Studio& studio_;
-  QWidget* views_;
   QLabel* message_;
   std::array<QLabel*, view_count> names_{};
   QLabel* counts_;

@@ -175,15 +175,15 @@ void PaneLayout::resize(const QSizeF& size) {
   lay_out();
 }
 
-void PaneLayout::arrange(Arrangement arrangement) {
+void PaneLayout::arrange(Arrangement arrangement, int alone) {
   arrangement_ = arrangement;
-  alone_ = -1;
-  lay_out();
+  show_alone(alone);
 }
 
 void PaneLayout::show_alone(int view) {
   alone_ = view;
   lay_out();
+  changed();
 }
 
 std::vector<int> PaneLayout::shown() const {
@@ -235,10 +235,22 @@ PaneLayout::Border PaneLayout::border_at(const QPointF& place) const {
 }
 
 void PaneLayout::drag_border(const Border& border, const QPointF& place) {
-  set_shares({border.across ? place.x() / size_.width() : across_, border.down ? place.y() / size_.height() : down_});
+  share({border.across ? place.x() / size_.width() : across_, border.down ? place.y() / size_.height() : down_});
 }
 
 void PaneLayout::set_shares(const QPointF& shares) {
+  suggested_ = even_share;
+  share(shares);
+  changed();
+}
+
+void PaneLayout::suggest_share(double across) {
+  if (across_ != suggested_) return;
+  set_shares({across, down_});
+  suggested_ = across;
+}
+
+void PaneLayout::share(const QPointF& shares) {
   across_ = std::clamp(shares.x(), least_pane_share, 1 - least_pane_share);
   down_ = std::clamp(shares.y(), least_pane_share, 1 - least_pane_share);
   lay_out();

@@ -6,6 +6,7 @@
 #include <QSizeF>
 #include <QString>
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -76,8 +77,12 @@ class PaneLayout {
   /// Logical pixels of the widget.
   void resize(const QSizeF& size);
 
+  /// Called after the following have changed the layout.
+  std::function<void()> changed = [] {};
+
   Arrangement arrangement() const { return arrangement_; }
-  void arrange(Arrangement arrangement);  ///< shows all of its views
+  /// Shows all of its views, or one of them alone.
+  void arrange(Arrangement arrangement, int alone = -1);
 
   /// The view that fills the widget, or -1.
   int alone() const { return alone_; }
@@ -95,21 +100,27 @@ class PaneLayout {
     bool any() const { return across || down; }
   };
   Border border_at(const QPointF& place) const;
+  /// Without a call of `changed`: it happens at every move of the pointer.
   void drag_border(const Border& border, const QPointF& place);
 
-  /// Shares of the left and of the upper views; what can't be dragged to becomes the nearest that can.
-  QPointF shares() const { return {across_, down_}; }
+  /// Shares of the left and of the upper views that people chose; what can't be dragged to becomes the nearest that
+  /// can.
+  QPointF shares() const { return {across_ == suggested_ ? even_share : across_, down_}; }
   void set_shares(const QPointF& shares);
+  /// The share of the left views, as long as nobody has moved the border.
+  void suggest_share(double across);
 
  private:
   void lay_out();
+  void share(const QPointF& shares);
 
   std::array<ViewPane, view_count> panes_;
   QSizeF size_{1, 1};
   Arrangement arrangement_ = Arrangement::SketchAndSolid;
   int alone_ = -1;
-  double across_ = 0.5;  ///< share of the left views
-  double down_ = 0.5;    ///< share of the upper views
+  double across_ = even_share;  ///< share of the left views
+  double down_ = even_share;    ///< share of the upper views
+  double suggested_ = even_share;
 };
 
 /// A camera that some step of an object gives: views can be held at it.

@@ -131,7 +131,7 @@ void add_help_menu(MainWindow& window) {
     actions.add(menu, name, text, keys, std::move(work), Recorded::ByItself);
   };
   add("help", QObject::tr("&Help for the present tool"), {QKeySequence(Qt::Key_F1)},
-      [&window] { show_manual(window, window.shows_views() ? window.viewport().help_topic() : QString()); });
+      [&window] { show_manual(window, window.shows_views() ? help_topic_of(window.views()) : QString()); });
   add("help-keys", QObject::tr("&Keys of the present tool"), {}, [&window] { show_keys(window, window.actions()); });
   add("help-examples", QObject::tr("&Examples"), {}, [&window] {
     if (window.shows_views()) show_start_page(window);

@@ -38,7 +38,7 @@ void show_help(MainWindow& window) {
   const QString on_start_page =
       parts.has_shown_views ? QObject::tr("Escape goes back to what was open; or choose a sketch, or press Ctrl+N")
                             : QObject::tr("Choose a sketch, or press Ctrl+N and draw");
-  parts.help->show_help(window.shows_views() ? parts.viewport->help() : on_start_page);
+  parts.help->show_help(window.shows_views() ? help_of(parts.viewport->views()) : on_start_page);
 }
 
 /// Something is being computed, read or written.
@@ -105,15 +105,15 @@ void add_tools(MainWindow& window) {
     tool->make_panels(*parts.docks);
     QObject::connect(tool, &Tool::state_changed, &window, &MainWindow::refresh);
   }
-  parts.viewport->set_tools(std::move(tools));
+  set_tools(parts.viewport->views(), std::move(tools));
 }
 
 void follow_views(MainWindow& window) {
-  Viewport* views = &window.viewport();
-  QObject::connect(views, &Viewport::committed, &window, &MainWindow::record);
-  QObject::connect(views, &Viewport::help_changed, &window, [&window] { show_help(window); });
-  QObject::connect(views, &Viewport::look_through_changed, &window, [&window] { show_cameras(window); });
-  views->installEventFilter(&window);
+  const Views* views = &window.views();
+  QObject::connect(views, &Views::committed, &window, &MainWindow::record);
+  QObject::connect(views, &Views::help_changed, &window, [&window] { show_help(window); });
+  QObject::connect(views, &Views::look_through_changed, &window, [&window] { show_cameras(window); });
+  window.viewport().installEventFilter(&window);
 }
 
 constexpr QSize first_size(1440, 900);
@@ -196,7 +196,7 @@ void keep_window_layout(MainWindow& window) {
   WindowParts& parts = window.parts();
   if (!parts.keeps_layout) return;
   keep_layout({window.saveGeometry(), window.shows_views() ? window.saveState() : parts.views_layout,
-               parts.docks->closed(), parts.viewport->pane_shares()});
+               parts.docks->closed(), parts.viewport->views().layout.shares()});
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
 MainWindow::~MainWindow() {
   // Both use the studio, on other threads too; children would be destroyed after it.
   delete parts_.thumbnails;
-  parts_.viewport->set_tools({});
+  set_tools(parts_.viewport->views(), {});
   parts_.tools.clear();
   delete parts_.pages;
 }
@@ -304,7 +304,8 @@ void MainWindow::record(const recorded::Step& step) {
 
 bool MainWindow::settled() {
   if (parts_.files.reader().busy() || parts_.files.step_export().busy()) return false;
-  return shows_views() ? !parts_.studio.busy() && parts_.viewport->settled() : !parts_.thumbnails->busy();
+  return shows_views() ? !parts_.studio.busy() && app::settled(parts_.viewport->pictures())
+                       : !parts_.thumbnails->busy();
 }
 
 bool MainWindow::event(QEvent* event) {
@@ -329,7 +330,7 @@ bool MainWindow::event(QEvent* event) {
   }
   const bool taken = QMainWindow::event(event);
   if (event->type() == QEvent::Resize) place_bars(*this);
-  if (event->type() == QEvent::Move) parts_.viewport->note_window_moved();
+  if (event->type() == QEvent::Move) note_window_moved(parts_.viewport->views());
   // The frame round the window is known once it is there.
   if (event->type() == QEvent::Show) QTimer::singleShot(0, this, [this] { fit_to_screen(*this); });
   return taken;
@@ -372,12 +373,12 @@ void show_views(MainWindow& window) {
     window.restoreState(parts.views_layout);
   enter_views(window);
   if (!std::exchange(parts.panels_sized, true)) parts.docks->give_first_sizes();
-  parts.viewport->frame_all();
+  frame_all(parts.viewport->views());
   window.refresh();
 }
 
 void show_opened(MainWindow& window) {
-  if (window.viewport().mode() != select_mode && !has_cage(window.studio())) window.set_mode(first_mode);
+  if (window.views().mode != select_mode && !has_cage(window.studio())) window.set_mode(first_mode);
   show_views(window);
 }
 
@@ -389,7 +390,7 @@ void remember_layout(MainWindow& window) {
   window.restoreGeometry(kept->geometry);
   fit_to_screen(window);
   parts.docks->set_closed(kept->closed_panels);
-  parts.viewport->set_pane_shares(kept->pane_shares);
+  parts.viewport->views().layout.set_shares(kept->pane_shares);
   if (kept->panels.isEmpty()) return;
   parts.views_layout = kept->panels;
   parts.panels_sized = true;
@@ -404,7 +405,7 @@ void reset_layout(MainWindow& window, const QByteArray& first) {
   parts.views_layout.clear();
   parts.panels_sized = false;
   parts.docks->set_room_given(false);
-  parts.viewport->set_pane_shares(QPointF(0.5, 0.5));
+  parts.viewport->views().layout.set_shares(QPointF(0.5, 0.5));
   give_first_size(window);
   if (!window.shows_views()) return parts.docks->show_all(false);
   enter_views(window);

@@ -137,7 +137,7 @@ void show_doubt(MainWindow& window, const ExportCheck& check, const MeshExport& 
     bounds.add(to_glm(place));
   }
   window.viewport().pane(PerspectiveView).frame(bounds);
-  window.viewport().redraw_all();
+  emit window.views().changed();
 }
 
 /// Asks before a mesh is written that isn't closed or crosses itself; none: it isn't to be written.
@@ -212,7 +212,7 @@ void ask_export_step(MainWindow& window) {
 
 void ask_export_picture(MainWindow& window) {
   ask_export(window, QObject::tr("Export picture"), ".png", QObject::tr("PNG (*.png)"), [&](const QString& path) {
-    window.viewport().export_picture(window.parts().pictures, path);
+    export_picture(window.parts().pictures, window.views(), path);
     say_written(window.parts(), path);
   });
 }

@@ -69,17 +69,17 @@ void delete_selection(MainWindow& window) {
 }
 
 void select_none(MainWindow& window) {
-  if (window.viewport().abandon()) return;
+  if (abandon(window.views())) return;
   window.viewport().marking_menu().dismiss();
   if (!ask_tools(window, EditCommand::SelectNone)) window.studio().session().select({});
 }
 
 void look_through_camera(MainWindow& window, int place) {
-  Viewport& views = window.viewport();
+  Views& views = window.views();
   const std::vector<SceneCamera> cameras = scene_cameras(window.studio());
   const NodeId node = place < static_cast<int>(cameras.size()) ? cameras[static_cast<std::size_t>(place)].node : 0;
-  views.look_through(views.look_through_node() == node ? 0 : node);
-  if (node != 0 && !views.pane(PerspectiveView).visible()) views.show_alone(PerspectiveView);
+  look_through(views, views.through == node ? 0 : node);
+  if (node != 0 && !views.layout.pane(PerspectiveView).visible()) views.layout.show_alone(PerspectiveView);
   window.refresh();
 }
 
@@ -104,22 +104,23 @@ void add_edit_menu(MainWindow& window) {
 
 void add_view_menu(MainWindow& window) {
   ActionList& actions = *window.parts().actions;
-  Viewport* views = window.parts().viewport;
+  Views* views = &window.views();
   QMenu* menu = actions.menu(QObject::tr("&View"));
   const auto add = [&](const QString& name, const QString& text, const QString& key, std::function<void()> work) {
     return actions.add(menu, name, text, key.isEmpty() ? QList<QKeySequence>() : QList{QKeySequence(key)},
                        std::move(work));
   };
-  add("frame-all", QObject::tr("Frame &all"), "A", [views] { views->frame_all(); });
-  add("frame-selection", QObject::tr("&Frame selection"), "F", [views] { views->frame_selection(); });
-  add("layout", QObject::tr("&Maximise view"), "Space", [views] { views->toggle_layout(); });
+  add("frame-all", QObject::tr("Frame &all"), "A", [views] { frame_all(*views); });
+  add("frame-selection", QObject::tr("&Frame selection"), "F", [views] { frame_selection(*views); });
+  add("layout", QObject::tr("&Maximise view"), "Space", [views] { toggle_layout(*views); });
   add("two-views", QObject::tr("S&ketch and perspective"), "Ctrl+Space",
-      [views] { views->arrange(Arrangement::SketchAndSolid); });
-  add("four-views", QObject::tr("&Four views"), "Shift+Space", [views] { views->arrange(Arrangement::Four); });
-  add("perspective-alone", QObject::tr("&Perspective alone"), {}, [views] { views->show_alone(PerspectiveView); });
-  add("front-alone", QObject::tr("Fr&ont alone"), {}, [views] { views->show_alone(SketchView); });
-  add("top-alone", QObject::tr("&Top alone"), {}, [views] { views->show_alone(TopView); });
-  add("side-alone", QObject::tr("Si&de alone"), {}, [views] { views->show_alone(SideView); });
+      [views] { views->layout.arrange(Arrangement::SketchAndSolid); });
+  add("four-views", QObject::tr("&Four views"), "Shift+Space", [views] { views->layout.arrange(Arrangement::Four); });
+  add("perspective-alone", QObject::tr("&Perspective alone"), {},
+      [views] { views->layout.show_alone(PerspectiveView); });
+  add("front-alone", QObject::tr("Fr&ont alone"), {}, [views] { views->layout.show_alone(SketchView); });
+  add("top-alone", QObject::tr("&Top alone"), {}, [views] { views->layout.show_alone(TopView); });
+  add("side-alone", QObject::tr("Si&de alone"), {}, [views] { views->layout.show_alone(SideView); });
   for (int place = 0; place < most_cameras; ++place) {
     QAction* camera = add(camera_action(place), {}, {}, [&window, place] { look_through_camera(window, place); });
     camera->setCheckable(true);
@@ -128,7 +129,10 @@ void add_view_menu(MainWindow& window) {
   menu->addSeparator();
   auto* shading = new QActionGroup(&window);
   const auto add_shading = [&](const QString& name, const QString& text, const QString& key, MeshLook look) {
-    QAction* action = add(name, text, key, [views, look] { views->set_look(look); });
+    QAction* action = add(name, text, key, [views, look] {
+      views->look = look;
+      emit views->changed();
+    });
     action->setCheckable(true);
     action->setChecked(look == MeshLook::Shaded);
     shading->addAction(action);
@@ -137,10 +141,11 @@ void add_view_menu(MainWindow& window) {
   add_shading("shaded", QObject::tr("&Shaded"), "5", MeshLook::Shaded);
   add_shading("shaded-wire", QObject::tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
   add("flat", QObject::tr("Fl&at shading"), "Shift+5", [views, &window] {
-    views->set_flat(window.action("flat")->isChecked());
+    views->objects.set_flat(window.action("flat")->isChecked());
   })->setCheckable(true);
   add("zebra", QObject::tr("&Zebra stripes"), "Shift+6", [views, &window] {
-    views->set_zebra(window.action("zebra")->isChecked());
+    views->zebra = window.action("zebra")->isChecked();
+    emit views->changed();
   })->setCheckable(true);
 }
 
@@ -328,7 +333,7 @@ void enable_actions(MainWindow& window) {
   enable("export-step", exact_solid(studio) != nullptr);
   for (const OperationDescription* exported : result_exports(studio))
     enable("export-" + QString::fromStdString(exported->id), can_export(studio, *exported));
-  window.parts().actions->show_mode(window.viewport().mode());
+  window.parts().actions->show_mode(window.views().mode);
   show_cameras(window);
 }
 
@@ -341,7 +346,7 @@ void show_cameras(MainWindow& window) {
     if (!there) continue;
     const SceneCamera& camera = cameras[static_cast<std::size_t>(place)];
     entry->setText(QObject::tr("Camera of %1").arg(camera.name));
-    entry->setChecked(window.viewport().look_through_node() == camera.node);
+    entry->setChecked(window.views().through == camera.node);
   }
 }
 

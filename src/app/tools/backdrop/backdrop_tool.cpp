@@ -215,7 +215,7 @@ ToolWords BackdropTool::words() const {
 
 /// Behind the solid that is seen through the camera of its drawing: what was traced lies over it.
 void BackdropTool::add_behind_solid(render::Scene& scene) {
-  const auto camera = host().viewport().looked_through();
+  const auto camera = looked_through(host().views());
   const Node* node = camera ? studio().session().document().find(camera->node) : nullptr;
   if (node == nullptr || !node->backdrop || !node->backdrop->visible) return;
   const BackdropArea area = area_of(*node->backdrop);
@@ -254,8 +254,8 @@ void BackdropTool::follow(Change change) {
   const auto picture = backdrop ? backdrop->picture : nullptr;
   const bool is_new = picture && picture != shown_.lock();
   shown_ = picture;
-  Viewport& views = host().viewport();
-  if (is_new && host().shows_views() && !views.pane(SketchView).visible()) views.arrange(Arrangement::SketchAndSolid);
+  PaneLayout& layout = host().views().layout;
+  if (is_new && host().shows_views() && !layout.pane(SketchView).visible()) layout.arrange(Arrangement::SketchAndSolid);
   if (mode_ == "move-picture" && !picture) host().set_mode(first_mode);
 }
 

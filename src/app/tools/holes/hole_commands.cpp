@@ -389,7 +389,7 @@ void refresh_hole_actions(const ScanHoles& holes, const QList<QAction*>& actions
 
 void frame_holes(ScanHoles& holes) {
   holes.host.record(recorded::Action{"frame-selection"});
-  holes.host.viewport().frame_selection();
+  frame_selection(holes.host.views());
 }
 
 }  // namespace croquis::app

@@ -178,7 +178,7 @@ QString HoleFillingTool::offer() const {
 void HoleFillingTool::feed(const std::vector<PenStep>& steps) {
   for (const PenStep& step : steps) {
     gesture_view_ = step.view;
-    const ViewFrame frame = host().viewport().own_frame_of(step.view);
+    const ViewFrame frame = own_frame_of(host().views(), step.view);
     take_gesture(holes_, {step.kind, step.sample.position, step.modifiers, frame, step.sample.time});
   }
   show_hover();
@@ -187,7 +187,7 @@ void HoleFillingTool::feed(const std::vector<PenStep>& steps) {
 void HoleFillingTool::hover(const PointerEvent& event) {
   const bool leaves = event.action == PointerEvent::Action::Leave;
   if (!leaves) gesture_view_ = event.view;
-  const ViewFrame frame = host().viewport().own_frame_of(event.view);
+  const ViewFrame frame = own_frame_of(host().views(), event.view);
   if (leaves ? holes_.tool.leave() : holes_.tool.hover(event.position, frame)) show_hover();
 }
 
@@ -265,7 +265,7 @@ void HoleFillingTool::add_to(render::Scene& scene, int view) {
   }
   holes_.overlay.add_to(scene);
   const auto& box = holes_.tool.preview().box;
-  if (box && view == gesture_view_) add_box(*box, host().viewport().own_frame_of(view), scene);
+  if (box && view == gesture_view_) add_box(*box, own_frame_of(host().views(), view), scene);
 }
 
 std::optional<SelectionFrame> HoleFillingTool::selection_frame(int) const {
@@ -283,9 +283,9 @@ void HoleFillingTool::place_chips(ChipPlaces& places) {
   HolePinView::Pins pins;
   const PaneLayout& layout = places.layout();
   for (const int view : holes_.active ? layout.shown() : std::vector<int>()) {
-    const Viewport& views = host().viewport();
-    if (views.tool_in(view) == this)
-      pins.push_back({layout.pane(view).rect, holes_.tool.pins(views.own_frame_of(view))});
+    const Views& views = host().views();
+    if (tool_in(views, view) == this)
+      pins.push_back({layout.pane(view).rect, holes_.tool.pins(own_frame_of(views, view))});
   }
   pins_.show_pins(std::move(pins), holes_);
 }

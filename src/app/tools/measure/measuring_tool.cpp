@@ -68,7 +68,7 @@ std::optional<Vec3> MeasuringTool::place_under(const ViewFrame& frame, const Vec
 void MeasuringTool::feed(const std::vector<PenStep>& steps) {
   for (const PenStep& step : steps) {
     view_ = step.view;
-    const ViewFrame frame = host().viewport().frame_of(step.view);
+    const ViewFrame frame = frame_of(host().views(), step.view);
     if (tool_.handle({step.kind, step.sample.position, step.modifiers, frame, step.sample.time})) measured_anew();
   }
   emit changed();
@@ -77,7 +77,7 @@ void MeasuringTool::feed(const std::vector<PenStep>& steps) {
 void MeasuringTool::hover(const PointerEvent& event) {
   view_ = event.view;
   const bool left = event.action == PointerEvent::Action::Leave;
-  if (left ? tool_.leave() : tool_.hover(event.position, host().viewport().frame_of(event.view))) emit changed();
+  if (left ? tool_.leave() : tool_.hover(event.position, frame_of(host().views(), event.view))) emit changed();
 }
 
 void MeasuringTool::measured_anew() {
@@ -142,7 +142,7 @@ void MeasuringTool::place_chips(ChipPlaces& places) {
   for (const int view : places.layout().shown()) {
     const ViewPane& pane = places.layout().pane(view);
     for (const MeasuredValue& value : values) {
-      const auto seen = host().viewport().frame_of(view).project(value.at);
+      const auto seen = frame_of(host().views(), view).project(value.at);
       const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
       if (!seen || !pane.rect.contains(at)) continue;
       if (used == labels_.size()) labels_.push_back(make_chip_label(host().viewport(), label_style));

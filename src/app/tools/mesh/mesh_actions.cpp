@@ -382,7 +382,7 @@ void add_mesh_replays(Replays& replays, MeshEditingTool& mesh, Studio& studio) {
 ScaleOffer::ScaleOffer(ToolHost& host, ActionList& actions, QMenu* menu)
     : host_(host), button_(new QPushButton(&host.viewport())) {
   actions.add(menu, "scale-to-scene", QObject::tr("Scale t&o the scene"), {}, [&host] {
-    if (host.attempt([&host] { scale_to_scene(host.studio()); })) host.viewport().frame_all();
+    if (host.attempt([&host] { scale_to_scene(host.studio()); })) frame_all(host.views());
   });
   button_->setObjectName("scale-offer");
   button_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views

@@ -118,7 +118,7 @@ void MeshEditingTool::make_panels(PanelDocks& docks) {
 
 void MeshEditingTool::refresh() {
   const WorkObject* object = studio().active();
-  const Tool* at_work = host().viewport().tool_in(PerspectiveView);
+  const Tool* at_work = tool_in(host().views(), PerspectiveView);
   const bool useful = object != nullptr && object->cage != 0 && (at_work == nullptr || at_work == this);
   refresh_mesh_actions(actions_, tool_, host(), state().picks_elements);
   actions_.bar->setVisible(useful && host().shows_views());
@@ -240,8 +240,8 @@ void MeshEditingTool::show_hover() {
 
 /// Elements lie in the space of their object, objects in the model's.
 ViewFrame MeshEditingTool::frame_in(int view) const {
-  return picks_objects() && !tool_.loop_cut_armed() ? host().viewport().frame_of(view)
-                                                    : host().viewport().own_frame_of(view);
+  return picks_objects() && !tool_.loop_cut_armed() ? frame_of(host().views(), view)
+                                                    : own_frame_of(host().views(), view);
 }
 
 bool MeshEditingTool::command(EditCommand command) {
@@ -277,7 +277,7 @@ bool MeshEditingTool::show(const Target& target) {
   if (!tool_.editable().mesh()) return false;
   const FoundElements elements = elements_of(found->finding, *tool_.editable().topology());
   if (!show(PickedElements{elements.kind, elements.elements})) return false;
-  host().viewport().frame_selection();
+  frame_selection(host().views());
   return true;
 }
 
@@ -291,15 +291,15 @@ void MeshEditingTool::adjust(ObjectScenes::Wanted& wanted, int) const {
 
 void MeshEditingTool::add_to(render::Scene& scene, int view) {
   const ViewUse use = use_of(view);
-  const bool with_handles = use.works && (use.on_drawings || !host().viewport().is_drawn_on(view));
+  const bool with_handles = use.works && (use.on_drawings || !is_drawn_on(host().views(), view));
   const WorkObject* object = studio().active();
   {
     const PlacedPart own(scene, object == nullptr ? Affine3() : object->placement.map());
     overlay_.add_to(scene, view != ComparisonView);
-    if (with_handles) add_handles(manipulator_picture(tool_, host().viewport().own_frame_of(view)), scene);
+    if (with_handles) add_handles(manipulator_picture(tool_, own_frame_of(host().views(), view)), scene);
   }
   if (!with_handles) return;
-  const ViewFrame frame = host().viewport().frame_of(view);
+  const ViewFrame frame = frame_of(host().views(), view);
   if (picks_objects()) add_handles(objects_.mover().manipulator_picture(frame), scene);
   const std::optional<PickBox>& box = objects_.box() ? objects_.box() : tool_.preview().box;
   if (box && view == gesture_view_) add_box(*box, frame, scene);

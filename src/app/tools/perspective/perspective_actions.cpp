@@ -46,7 +46,7 @@ QString with_unit(const QString& title, const std::string& unit) {
 }
 
 QPointF widget_place(const Sheet& sheet, const Vec2& at) {
-  return sheet.host.viewport().sketch_to_widget({at.x(), -at.y()});
+  return sketch_to_widget(sheet.host.views(), {at.x(), -at.y()});
 }
 
 void set_selected(Sheet& sheet, const StrokeSetting& setting) {
@@ -130,8 +130,8 @@ void propose_or_complete_mirror(Sheet& sheet) {
 void begin_new(ToolHost& host) {
   const PerspectiveToolOptions options = host.studio().sheet_options();
   if (!host.start_with(add_perspective_drawing(Document(), empty_sheet(options.sheet), options))) return;
-  host.viewport().arrange(Arrangement::SketchAndSolid);
-  host.viewport().frame_all();
+  host.views().layout.arrange(Arrangement::SketchAndSolid);
+  frame_all(host.views());
 }
 
 void add_group_actions(Sheet& sheet, ActionList& actions, QMenu* menu) {

@@ -77,7 +77,7 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
     : Tool(host, "Drawings in perspective"), sheet_(*this, host), chips_(sheet_) {
   connect(sheet_.entry, &PenEntry::finished, this, &Tool::state_changed);
   connect(&chips_.alternatives(), &AlternativeChips::hovered_changed, this, [this] { emit changed(); });
-  connect(&host.viewport(), &Viewport::look_through_changed, this, &Tool::state_changed);
+  connect(&host.views(), &Views::look_through_changed, this, &Tool::state_changed);
 }
 
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
@@ -172,7 +172,7 @@ void PerspectiveDrawingTool::hover(const PointerEvent& event) {
     show_guides(std::nullopt);
     return show_change();
   }
-  under_pointer_ = sentences_at(sheet_.scene.marks(), host().viewport().frame_of(SketchView), event.position);
+  under_pointer_ = sentences_at(sheet_.scene.marks(), frame_of(host().views(), SketchView), event.position);
   const SketchFrame frame = host().viewport().pane(SketchView).sketch_frame();
   const Vec2 at = to_sheet(frame, event.position);
   const PerspectiveDrawing& drawing = sheet_.drawing();
@@ -239,8 +239,7 @@ void PerspectiveDrawingTool::add_to(render::Scene& scene, int view) {
     sheet_.scene.add_to(scene, sheet_.drawing(), unit);
   }
   chips_.alternatives().add_to(scene, has_view(view));
-  const auto camera =
-      view == PerspectiveView && sheet_.looks_through() ? host().viewport().looked_through() : std::nullopt;
+  const auto camera = view == PerspectiveView && sheet_.looks_through() ? looked_through(host().views()) : std::nullopt;
   if (!camera || sheet_.overlay == 0) return;
   const auto place = [&](const Vec2& sheet) { return camera->before_the_eye(sheet); };
   for (const render::LineItemPtr& item : stroke_items(sheet_.drawing(), place, sheet_.overlay))
@@ -268,9 +267,9 @@ void PerspectiveDrawingTool::follow(Change change) {
   if (change != Change::Document) return;
   const NodeId now = studio().sheet_node();
   if (std::exchange(shown_node_, now) != now) {
-    host().viewport().suggest_share(now == 0 ? even_share : sheet_share);
+    host().views().layout.suggest_share(now == 0 ? even_share : sheet_share);
     // A drawing that is opened is seen through its own eye.
-    if (now != 0) host().viewport().look_through(now);
+    if (now != 0) look_through(host().views(), now);
   }
   follow_document();
 }

@@ -124,10 +124,10 @@ bool Sheet::record(Verdict verdict) const {
   return verdict == Verdict::Commit;
 }
 
-bool Sheet::selects() const { return host.viewport().mode() == select_mode; }
+bool Sheet::selects() const { return host.views().mode == select_mode; }
 
 bool Sheet::looks_through() const {
-  return is_there() && host.viewport().look_through_node() == host.studio().sheet_node() && result() != nullptr;
+  return is_there() && host.views().through == host.studio().sheet_node() && result() != nullptr;
 }
 
 void set_sheet_parameter(Sheet& sheet, const std::string& name, const ParameterValue& value) {
@@ -148,11 +148,11 @@ void look_at_strokes(Sheet& sheet, const std::vector<std::string>& strokes) {
   if (strokes.empty()) return;
   if (!sheet.selects()) sheet.host.set_mode(select_mode);
   sheet.tool.select(strokes);
-  if (sheet.is_there()) sheet.host.viewport().frame_selection_in(SketchView);
+  if (sheet.is_there()) frame_selection_in(sheet.host.views(), SketchView);
 }
 
 void look_through(Sheet& sheet, bool on) {
-  sheet.host.viewport().look_through(on ? sheet.host.studio().sheet_node() : 0);
+  look_through(sheet.host.views(), on ? sheet.host.studio().sheet_node() : 0);
 }
 
 void apply_fix(Sheet& sheet) {

@@ -10,8 +10,8 @@
 #include "app/panels/finding_elements.h"
 #include "app/replay/replays.h"
 #include "app/tools/scene_parts.h"
-#include "app/views/ink_sheet.h"
 #include "app/views/own_space.h"
+#include "app/views/render_color.h"
 #include "app/window/action_list.h"
 #include "app/window/theme.h"
 #include "croquis/operators/inflate_result.h"
@@ -365,7 +365,7 @@ void SilhouetteTool::show_gesture() {
 
 void SilhouetteTool::hover(const PointerEvent& event) {
   if (event.action == PointerEvent::Action::Leave) return;
-  under_pointer_ = sentences_at(scene_.finding_marks(), host().viewport().frame_of(SketchView), event.position);
+  under_pointer_ = sentences_at(scene_.finding_marks(), frame_of(host().views(), SketchView), event.position);
   if (tool_.mode() == SketchMode::Draw) return;
   const auto found =
       nearest_stroke(studio().drawing(), frame().to_sketch(event.position), {stroke_reach, frame().units_per_pixel});

@@ -331,7 +331,7 @@ const std::optional<PartReach>& ThicknessHandle::reach() {
 }
 
 std::optional<Vec2> ThicknessHandle::pixel_of(const Vec3& place) const {
-  const auto seen = views_.own_frame_of(view_).project(place);
+  const auto seen = own_frame_of(views_.views(), view_).project(place);
   return seen ? std::optional(seen->pixel) : std::nullopt;
 }
 

@@ -8,7 +8,6 @@
 
 #include "app/studio/studio.h"
 #include "app/tools/scene_parts.h"
-#include "app/views/ink_sheet.h"
 #include "croquis/document/evaluation.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/render/scene.h"

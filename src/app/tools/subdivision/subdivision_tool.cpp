@@ -343,11 +343,11 @@ QString SubdivisionTool::offer() const {
 
 void SubdivisionTool::compare(bool shown) {
   comparison_.show(shown);
-  Viewport& views = host().viewport();
+  Views& views = host().views();
   const bool sketched = !studio().drawing().strokes.empty();
-  views.arrange(shown ? Arrangement::Compare : sketched ? Arrangement::SketchAndSolid : Arrangement::Four);
-  if (!shown && !sketched) views.show_alone(PerspectiveView);
-  views.show_scene();
+  views.layout.arrange(shown ? Arrangement::Compare : sketched ? Arrangement::SketchAndSolid : Arrangement::Four);
+  if (!shown && !sketched) views.layout.show_alone(PerspectiveView);
+  show_scene(views);
 }
 
 void SubdivisionTool::select_chain(int chain) {

@@ -217,7 +217,7 @@ DrawnNetwork::DrawnNetwork(Tool& tool_of_window, ToolHost& window)
   tool.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
 }
 
-ViewFrame DrawnNetwork::frame_of(int view) const { return seen_from(host.viewport().frame_of(view), to_world()); }
+ViewFrame DrawnNetwork::frame_of(int view) const { return seen_from(app::frame_of(host.views(), view), to_world()); }
 
 void DrawnNetwork::act(const recorded::Step& step) {
   try {
@@ -274,9 +274,9 @@ void DrawnNetwork::follow_result() {
 
 void look_at(DrawnNetwork& network, const NetworkElements& elements) {
   if (elements.empty()) return;
-  if (network.host.viewport().mode() != select_mode) network.host.set_mode(select_mode);
+  if (network.host.views().mode != select_mode) network.host.set_mode(select_mode);
   network.act(recorded::SurfaceChoice{elements});
-  network.host.viewport().frame_selection();
+  frame_selection(network.host.views());
 }
 
 }  // namespace croquis::app

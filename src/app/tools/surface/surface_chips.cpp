@@ -178,7 +178,7 @@ void SurfaceChips::place(ChipPlaces& places, bool shown) {
 /// Beside a place of the model, where it is seen.
 void SurfaceChips::put_at(const ViewPane& pane, QWidget& chip, const Vec3& world) {
   constexpr QPointF beside(12, -10);
-  const auto seen = network_.host.viewport().frame_of(view_).project(world);
+  const auto seen = frame_of(network_.host.views(), view_).project(world);
   const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
   if (seen && pane.rect.contains(at)) chips_.put(chip, at + beside, pane.rect);
 }

@@ -352,7 +352,7 @@ void SurfaceDrawingTool::hover(const PointerEvent& event) {
     return;
   }
   gesture_view_ = event.view;
-  under_pointer_ = sentences_at(network_.scene.marks(), host().viewport().frame_of(event.view), event.position);
+  under_pointer_ = sentences_at(network_.scene.marks(), frame_of(host().views(), event.view), event.position);
   if (network_.tool.hover(event.position, network_.frame_of(event.view))) network_.show_preview();
 }
 
@@ -401,7 +401,7 @@ void SurfaceDrawingTool::add_to(render::Scene& scene, int view) {
     scene.lines.emplace_back(ground_lines(network_.scene.bounds(), network_.to_world()));
   network_.scene.add_to(scene);
   const auto& box = network_.tool.preview().box;
-  if (box && view == gesture_view_) add_box(*box, host().viewport().frame_of(view), scene);
+  if (box && view == gesture_view_) add_box(*box, frame_of(host().views(), view), scene);
 }
 
 std::optional<SelectionFrame> SurfaceDrawingTool::selection_frame(int) const {
@@ -439,9 +439,9 @@ void SurfaceDrawingTool::follow_panels() {
 void SurfaceDrawingTool::show_in_space() {
   dock_->raise();
   domain_dock_->raise();
-  host().viewport().arrange(Arrangement::Four);
-  host().viewport().show_alone(PerspectiveView);
-  host().viewport().frame_all();
+  host().views().layout.arrange(Arrangement::Four);
+  host().views().layout.show_alone(PerspectiveView);
+  frame_all(host().views());
 }
 
 void SurfaceDrawingTool::make_replays(Replays& replays) {
