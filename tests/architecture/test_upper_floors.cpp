@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -15,6 +17,8 @@ namespace {
 const std::filesystem::path root = CROQUIS_SOURCE_DIR;
 constexpr std::size_t most_files = 40;
 constexpr int longest_function = 60;
+constexpr int longest_class = 250;
+constexpr std::size_t most_functions = 30;
 
 /// The tool that a file of the studio belongs to: "mesh" for src/app/tools/mesh/…; empty for none.
 std::string app_tool_of(const std::string& path) {
@@ -112,6 +116,70 @@ TEST_CASE("no function is longer than 60 lines") {
   }
   // A reader that finds none would be of no use.
   CHECK(longest_of_all.lines > 30);
+}
+
+struct ClassSize {
+  int lines = 0;                    ///< of its body and of its members' definitions
+  std::set<std::string> functions;  ///< as the body declares them
+};
+
+/// The lines of a file from the one that `begins` accepts to the brace that closes it in the first column.
+template <typename Begins, typename Inside>
+void each_block(const std::filesystem::path& path, const Begins& begins, const Inside& inside) {
+  std::ifstream stream(path);
+  bool open = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (!open && (line.empty() || line[0] == ' ' || !begins(line))) continue;
+    inside(line);
+    open = open ? line[0] != '}' : !line.ends_with('}');
+  }
+}
+
+/// Bodies of classes at the level of namespaces. Those of one source are known by its path, too.
+void add_bodies(const SourceFile& file, std::map<std::string, ClassSize>& classes) {
+  static const std::regex head(R"(^(?:class|struct) (\w+)[^;]*\{$)");
+  static const std::regex function(R"(^  (?! )(?:[\w:<>,&*\[\] ]+ [&*]?)?(?:~?\w+|operator\S+)\(.*)");
+  static const std::regex no_function(R"(^  (?:return|using|friend|static_assert)\b.*)");
+  ClassSize* size = nullptr;
+  const auto begins = [&](const std::string& line) {
+    std::smatch name;
+    if (!std::regex_match(line, name, head)) return false;
+    size = &classes[file.path.ends_with(".cpp") ? file.path + name.str(1) : name.str(1)];
+    return true;
+  };
+  each_block(root / file.path, begins, [&](const std::string& line) {
+    ++size->lines;
+    if (std::regex_match(line, function) && !std::regex_match(line, no_function)) size->functions.insert(line);
+  });
+}
+
+void add_definitions(const SourceFile& file, std::map<std::string, ClassSize>& classes) {
+  static const std::regex head(R"(^(?:[\w:<>,&*\[\] ]*[ &*])?(\w+)::(?:~?\w+|operator\S+)\(.*)");
+  ClassSize* size = nullptr;
+  const auto begins = [&](const std::string& line) {
+    std::smatch name;
+    if (line.ends_with(';') || !std::regex_match(line, name, head)) return false;
+    auto known = classes.find(file.path + name.str(1));
+    if (known == classes.end()) known = classes.find(name.str(1));
+    size = known == classes.end() ? nullptr : &known->second;
+    return size != nullptr;
+  };
+  each_block(root / file.path, begins, [&](const std::string&) { ++size->lines; });
+}
+
+TEST_CASE("no class has more than 30 functions or 250 lines") {
+  std::map<std::string, ClassSize> classes;
+  for (const SourceFile& file : read_sources(root)) add_bodies(file, classes);
+  for (const SourceFile& file : read_sources(root)) add_definitions(file, classes);
+  int longest = 0;
+  for (const auto& [name, size] : classes) {
+    INFO(name);
+    CHECK(size.lines <= longest_class);
+    CHECK(size.functions.size() <= most_functions);
+    longest = std::max(longest, size.lines);
+  }
+  // A reader that finds none would be of no use.
+  CHECK(longest > longest_class / 2);
 }
 
 }  // namespace
