@@ -46,9 +46,9 @@ class BackgroundJob {
       try {
         result = work(progress);
       } catch (const Cancelled&) {
-        result.reset();
+        // Nobody waits for it any more.
       } catch (const Error&) {
-        result.reset();  // what can't be computed is reported where it is made
+        // What can't be computed is reported where it is made.
       }
       const auto deliver = [this, stop, take, result] {
         if (*stop) return;

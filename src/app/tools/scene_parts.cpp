@@ -16,6 +16,13 @@ render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const r
   return paths.empty() ? nullptr : render::make_line_item(paths, style);
 }
 
+render::LineItemPtr lines_of(const PolyMesh& mesh, const render::LineStyle& style) {
+  std::vector<render::LinePath> paths;
+  for (std::size_t l = 0; l < mesh.line_count(); ++l)
+    paths.push_back(path_of(mesh.line(l), [&](Index vertex) { return to_glm(mesh.positions[vertex]); }));
+  return lines_of(paths, style);
+}
+
 render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks, render::MarkDepth depth) {
   return marks.empty() ? nullptr : render::make_mark_item(marks, depth);
 }

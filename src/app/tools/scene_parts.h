@@ -9,6 +9,7 @@
 
 #include "app/views/render_color.h"
 #include "croquis/base/finding.h"
+#include "croquis/geometry/poly_mesh.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/pointer/view_frame.h"
 
@@ -18,6 +19,8 @@ namespace croquis::app {
 
 /// Null where there is nothing to draw: items of nothing cost draw calls.
 render::LineItemPtr lines_of(const std::vector<render::LinePath>& paths, const render::LineStyle& style);
+/// The polylines of a mesh.
+render::LineItemPtr lines_of(const PolyMesh& mesh, const render::LineStyle& style);
 render::MarkItemPtr marks_of(const std::vector<render::Mark>& marks,
                              render::MarkDepth depth = render::MarkDepth::OnTop);
 

@@ -123,11 +123,8 @@ void MeshOverlay::show_chains(const WorkObject& object) {
   if (!object.result) return;
   const auto found = object.result->outputs.find("chains");
   if (found == object.result->outputs.end()) return;
-  const PolyMesh& chains = found->second.get<PolyMesh>();
-  std::vector<render::LinePath> paths;
-  for (std::size_t l = 0; l < chains.line_count(); ++l)
-    paths.push_back(path_of(chains.line(l), [&](Index vertex) { return to_glm(chains.positions[vertex]); }));
-  chains_ = lines_of(paths, {2.5, to_color(colors::infinite_edge), {}, render::LineDepth::Tested});
+  const render::LineStyle style{2.5, to_color(colors::infinite_edge), {}, render::LineDepth::Tested};
+  chains_ = lines_of(found->second.get<PolyMesh>(), style);
 }
 
 void MeshOverlay::show_selection(MeshTool& tool, const ComponentSelection& selection, const render::MeshItemPtr& cage) {

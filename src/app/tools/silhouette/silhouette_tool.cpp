@@ -134,11 +134,7 @@ std::map<NodeId, render::LineItemPtr> lines_on_solids(const Studio& studio) {
     if (!object.result || result_of<InflateResult>(object.result.get()) == nullptr) continue;
     const auto lines = object.result->outputs.find("lines");
     if (lines == object.result->outputs.end()) continue;
-    const auto& mesh = lines->second.get<PolyMesh>();
-    std::vector<render::LinePath> paths;
-    for (std::size_t l = 0; l < mesh.line_count(); ++l)
-      paths.push_back(path_of(mesh.line(l), [&](Index v) { return to_glm(mesh.positions[v]); }));
-    if (auto item = lines_of(paths, style)) items[object.node] = std::move(item);
+    if (auto item = lines_of(lines->second.get<PolyMesh>(), style)) items[object.node] = std::move(item);
   }
   return items;
 }
