@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/replay/replay_player.h"
+#include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/theme.h"
 #include "croquis/base/error.h"
@@ -150,5 +151,6 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setWindowIcon(program_icon());
   apply_theme(application);
+  use_language(kept_language());
   return run(*options);
 }

@@ -4,8 +4,10 @@
 #include <string>
 #include <string_view>
 
+// Before EGL: it has types of its own for those of Khronos, and takes no others.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <epoxy/gl.h>
 
 #include "croquis/base/error.h"
 

@@ -101,19 +101,13 @@ TEST_CASE("the start page shows every shipped sketch as a picture and opens it",
   CHECK(hand.studio().solid() != nullptr);
 }
 
-TEST_CASE("every action has a name of its own, and no two share a key", "[panels]") {
+TEST_CASE("every action has a name of its own", "[panels]") {
   StudioFixture hand;
   QSet<QString> names;
-  QSet<QString> keys;
   for (const QAction* action : hand.window().actions()) {
     CHECK(!action->objectName().isEmpty());
     CHECK(!names.contains(action->objectName()));
     names.insert(action->objectName());
-    for (const QKeySequence& key : action->shortcuts()) {
-      INFO(key.toString().toStdString());
-      CHECK(!keys.contains(key.toString()));
-      keys.insert(key.toString());
-    }
   }
   CHECK(names.size() > 15);
 }

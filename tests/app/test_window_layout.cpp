@@ -21,6 +21,7 @@
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
 #include "app/window/help_line.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 
 using namespace croquis;
@@ -285,6 +286,31 @@ TEST_CASE("a small window has room for its words and views: sketches", "[small-w
   check_tools("beside a cage");
   hand.act("start-page");
   check_readable(hand, "start page");
+}
+
+TEST_CASE("a small window has room for its words and views: in Korean", "[small-window]") {
+  app::use_language("ko");
+  {
+    StudioFixture hand;
+    hand.window().set_unattended();
+    check_readable(hand, "start page");
+    for (const char* kind : {"new", "new-surface"}) {
+      hand.act(kind);
+      hand.settle();
+      for (const char* tool : {"draw", "select"}) {
+        hand.act(tool);
+        check_readable_everywhere(hand, std::string(kind) + ", " + tool);
+      }
+    }
+    hand.open_cage("mug");
+    for (const char* mode : {"object-mode", "edge-mode"}) {
+      hand.act(mode);
+      check_readable_everywhere(hand, mode);
+    }
+    open_scan(hand, ball_with_holes(3));
+    check_readable_everywhere(hand, "holes");
+  }
+  app::use_language("en");
 }
 
 TEST_CASE("a small window has room for its words and views: meshes", "[small-window]") {

@@ -10,6 +10,7 @@
 #include "croquis/hole_filling/fill_holes.h"
 #include "hole_filling/fill_invariants.h"
 #include "support/meshes/mesh_shapes.h"
+#include "support/scans/known_scans.h"
 #include "support/scans/scans.h"
 
 using namespace croquis;
@@ -77,6 +78,20 @@ TEST_CASE("no patch rises farther than half its hole's diameter and 1.3 times wh
       CHECK(height_of(mesh, result) <= std::max(result.analysis.holes[0].diameter / 2, 1.3 * faired) * 1.001);
     }
   }
+}
+
+TEST_CASE("a high patch isn't refused where the faired triangles that it is compared with fold back at the rim") {
+  // Seen on this scan: half a bone is gone, and faired triangles lay on the half that is left.
+  const KnownScan scan = known_scan(ScanKind::Bones, 50202);
+  FillOptions options;
+  options.selection = Selection::All;
+  const FillResult result = fill(scan.mesh, options);
+  const auto longest = std::ranges::max_element(
+      result.analysis.holes, {}, [](const Hole& hole) { return hole.kind == HoleClass::Outer ? 0 : hole.diameter; });
+  const auto& outcome = result.outcomes[static_cast<std::size_t>(longest - result.analysis.holes.begin())];
+  CAPTURE(outcome.method);
+  CHECK(outcome.action == FillAction::Fill);
+  CHECK(outcome.max_normal_jump < 0.5);
 }
 
 TEST_CASE("an open end that is named by its number goes on as its walls do; chosen with all others it gets a lid") {

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "app/panels/number_box.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/edits/edit_line.h"
 #include "croquis/workspace/node_values.h"
@@ -73,7 +74,7 @@ void make_number(ParameterField& field, const ParameterDescription& description)
     box->setSingleStep((scale.high - scale.low) / 100);
     static_cast<QHBoxLayout*>(field.layout())->setStretchFactor(slider, 1);
     slider->setRange(0, SliderScale::positions);
-    slider->setToolTip(QString::fromStdString(description.sentence));
+    slider->setToolTip(shown_text(description.sentence));
     QObject::connect(slider, &QSlider::valueChanged, &field, [&field, box, slider, scale](int position) {
       const double value = number_words(scale.value_at(position), 3).toDouble();
       const QSignalBlocker quiet(box);
@@ -116,7 +117,7 @@ void make_choice(ParameterField& field, const ParameterDescription& description)
   auto* box = placed_in(field, new QComboBox(&field), description);
   const auto& words = description.choice_titles.empty() ? description.choices : description.choice_titles;
   for (std::size_t i = 0; i < description.choices.size(); ++i)
-    box->addItem(QString::fromStdString(words[i]), QString::fromStdString(description.choices[i]));
+    box->addItem(shown_text(words[i]), QString::fromStdString(description.choices[i]));
   QObject::connect(box, &QComboBox::currentIndexChanged, &field,
                    [&field, box] { emit field.edited(box->currentData().toString().toStdString(), false); });
   field.set_show([box](const ParameterValue& value) {
@@ -166,13 +167,13 @@ ParameterField* make_parameter_field(const ParameterDescription& description, QW
     case ParameterType::File: make_text(*field, description); break;
   }
   field->setObjectName(QString::fromStdString(description.name));
-  field->setToolTip(QString::fromStdString(description.sentence));
+  field->setToolTip(shown_text(description.sentence));
   return field;
 }
 
 QString parameter_title(const ParameterDescription& description) {
-  QString title = QString::fromStdString(title_of(description));
-  if (!description.unit.empty()) title += " (" + QString::fromStdString(description.unit) + ")";
+  QString title = shown_text(title_of(description));
+  if (!description.unit.empty()) title += " (" + shown_text(description.unit) + ")";
   return title;
 }
 
@@ -294,6 +295,15 @@ ParameterField* AttributePanel::field(const std::string& parameter) const {
   return found == fields_.end() ? nullptr : found->second;
 }
 
+void AttributePanel::show_parameter(const std::string& parameter) {
+  ParameterField* wanted = field(parameter);
+  if (wanted == nullptr) return;
+  if (auto* all = findChild<QCheckBox*>("expert"); all != nullptr && wanted->isHidden()) all->setChecked(true);
+  for (QWidget* part : wanted->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (part->focusPolicy() != Qt::NoFocus) return part->setFocus(Qt::ShortcutFocusReason);
+  }
+}
+
 void AttributePanel::clear() {
   while (layout_->rowCount() > 0) layout_->removeRow(0);
   fields_.clear();
@@ -320,7 +330,7 @@ void AttributePanel::make_fields(const OperationDescription& description) {
               emit parameter_edited(node_, name, value, drag);
             });
     auto* label = new QLabel(parameter_title(parameter), this);
-    label->setToolTip(QString::fromStdString(parameter.sentence));
+    label->setToolTip(shown_text(parameter.sentence));
     label->setBuddy(field);
     layout_->addRow(label, field);
     fields_[parameter.name] = field;

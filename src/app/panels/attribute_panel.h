@@ -89,6 +89,9 @@ class AttributePanel : public QWidget {
   /// The field of a parameter, or null: for callers that know it by name.
   ParameterField* field(const std::string& parameter) const;
 
+  /// Puts the keyboard into the field of a parameter, which may be one for experts.
+  void show_parameter(const std::string& parameter);
+
  signals:
   /// The user gave a parameter another value. While a slider is held down, `dragging` is true; the last call of a drag
   /// has it false.

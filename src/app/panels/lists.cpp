@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -202,7 +203,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
   const Selection& selection = studio.session().selection();
   for (const ChainStep& step : steps) {
     const bool computed = step.state != StepState::Source;
-    const QString name = QString::fromStdString(readable_name(computed ? step.title : step.name));
+    const QString name = computed ? shown_text(step.title) : QString::fromStdString(readable_name(step.name));
     auto* own = new QTreeWidgetItem(row, {name, words_of(step)});
     own->setData(0, node_role, qulonglong(step.node));
     own->setData(0, step_role, true);

@@ -6,8 +6,11 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QToolBar>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "app/window/theme.h"
 
@@ -16,15 +19,61 @@ namespace {
 
 constexpr QSize bar_icon(26, 26);
 
+std::vector<std::pair<MenuId, QString>> menu_titles() {
+  return {{MenuId::File, QObject::tr("&File")},       {MenuId::Edit, QObject::tr("&Edit")},
+          {MenuId::Create, QObject::tr("&Create")},   {MenuId::Select, QObject::tr("Se&lect")},
+          {MenuId::Modify, QObject::tr("Mod&ify")},   {MenuId::Mesh, QObject::tr("&Mesh")},
+          {MenuId::Sketch, QObject::tr("&Sketch")},   {MenuId::Perspective, QObject::tr("&Perspective")},
+          {MenuId::Surface, QObject::tr("S&urface")}, {MenuId::Holes, QObject::tr("H&oles")},
+          {MenuId::View, QObject::tr("&View")},       {MenuId::Window, QObject::tr("&Window")},
+          {MenuId::Help, QObject::tr("&Help")}};
+}
+
+/// Every entry gets a letter of its own: the first of a word where it is free. Texts don't have to care.
+void underline_letters(QMenu& menu) {
+  QString used;
+  for (QAction* action : menu.actions()) {
+    if (action->menu() != nullptr) underline_letters(*action->menu());
+    if (!action->isVisible() || action->text().isEmpty()) continue;
+    static const QRegularExpression mark(QStringLiteral("&(?!&)(?<!&&)"));
+    QString text = action->text().remove(mark);
+    static const QRegularExpression first(QStringLiteral("\\b[A-Za-z]")), any(QStringLiteral("[A-Za-z]"));
+    for (const QRegularExpression* letters : {&first, &any}) {
+      auto found = letters->globalMatch(text.section('\t', 0, 0));
+      qsizetype at = -1;
+      while (at < 0 && found.hasNext()) {
+        const auto letter = found.next();
+        if (!used.contains(letter.captured(), Qt::CaseInsensitive)) at = letter.capturedStart();
+      }
+      if (at < 0) continue;
+      used += text[at];
+      text.insert(at, '&');
+      break;
+    }
+    action->setText(text);
+  }
+}
+
+bool can_do_anything(const QMenu& menu) {
+  return std::ranges::any_of(menu.actions(), [](const QAction* action) {
+    if (action->menu() != nullptr) return can_do_anything(*action->menu());
+    return !action->isSeparator() && action->isEnabled();
+  });
+}
+
 }  // namespace
 
 ActionList::ActionList(QMainWindow& window, std::function<void(const QString&, Recorded)> triggered)
-    : window_(window), triggered_(std::move(triggered)), mode_group_(new QActionGroup(&window)) {}
+    : window_(window), triggered_(std::move(triggered)), mode_group_(new QActionGroup(&window)) {
+  for (const auto& [id, title] : menu_titles()) {
+    QMenu* menu = menus_[id] = window.menuBar()->addMenu(title);
+    QObject::connect(menu, &QMenu::aboutToShow, [menu] { underline_letters(*menu); });
+  }
+}
 
-QMenu* ActionList::menu(const QString& title) {
-  QMenu*& menu = menus_[title];
-  if (menu == nullptr) menu = window_.menuBar()->addMenu(title);
-  return menu;
+void ActionList::show_menus() {
+  for (const MenuId id : {MenuId::Perspective, MenuId::Surface, MenuId::Holes})
+    menu(id)->menuAction()->setVisible(can_do_anything(*menu(id)));
 }
 
 QToolBar* ActionList::bar(const QString& name, const QString& title) {

@@ -21,14 +21,20 @@ enum class Recorded {
   ByItself   ///< by the code that acts: with a file's name, with elements
 };
 
+/// The menu bar, from left to right.
+enum class MenuId { File, Edit, Create, Select, Modify, Mesh, Sketch, Perspective, Surface, Holes, View, Window, Help };
+
 /// The window's actions: what menus, keys, buttons and replays share.
 class ActionList {
  public:
   /// @param triggered called before an action runs
   ActionList(QMainWindow& window, std::function<void(const QString& name, Recorded recorded)> triggered);
 
-  /// Of the menu bar, made at its end when it is first asked for. @param title with its "&"
-  QMenu* menu(const QString& title);
+  /// Of the menu bar.
+  QMenu* menu(MenuId id) const { return menus_[id]; }
+
+  /// Shows the menus that belong to one kind of object while something in them can be done, and all others.
+  void show_menus();
 
   /// Of the left side, made when it is first asked for; the first one is "tools".
   QToolBar* bar(const QString& name, const QString& title);
@@ -50,7 +56,7 @@ class ActionList {
  private:
   QMainWindow& window_;
   std::function<void(const QString&, Recorded)> triggered_;
-  QMap<QString, QMenu*> menus_;
+  QMap<MenuId, QMenu*> menus_;
   QMap<QString, QAction*> modes_;
   QActionGroup* mode_group_;
 };

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/views/viewport.h"
+#include "app/window/command_palette.h"
 #include "app/window/main_window.h"
 
 namespace croquis::app {
@@ -46,6 +47,11 @@ QString without_links(QString text) {
   return text.replace(link, QStringLiteral("\\1"));
 }
 
+QString manual_text() {
+  QFile manual(QStringLiteral(":/docs/studio.md"));
+  return manual.open(QIODevice::ReadOnly) ? without_links(QString::fromUtf8(manual.readAll())) : QString();
+}
+
 /// What somebody who helps asks for first. No names, no shapes.
 QString diagnostics(MainWindow& window) {
   const Studio& studio = window.studio();
@@ -74,11 +80,16 @@ QString diagnostics(MainWindow& window) {
 
 }  // namespace
 
+QStringList manual_headings() {
+  static const QRegularExpression heading(QStringLiteral("^#{2,3} +(.+)$"), QRegularExpression::MultilineOption);
+  QStringList found;
+  for (const auto& each : heading.globalMatch(manual_text())) found << each.captured(1);
+  return found;
+}
+
 void show_manual(QWidget& parent, const QString& heading) {
-  QFile manual(QStringLiteral(":/docs/studio.md"));
-  if (!manual.open(QIODevice::ReadOnly)) return;
   QTextBrowser* text = open_page(parent, "manual", help_words("Help"));
-  text->setMarkdown(without_links(QString::fromUtf8(manual.readAll())));
+  text->setMarkdown(manual_text());
   text->window()->show();
   for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
     if (block.blockFormat().headingLevel() == 0 || block.text() != heading) continue;
@@ -102,8 +113,8 @@ void show_keys(QWidget& parent, const QList<QAction*>& actions) {
   for (const QAction* action : actions) {
     const QString keys = keys_of(*action);
     if (keys.isEmpty() || !action->isEnabled() || !action->isVisible()) continue;
-    const QString what = action->text().section('\t', 0, 0).remove('&').remove(QStringLiteral("…"));
-    rows += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(what.toHtmlEscaped(), keys.toHtmlEscaped());
+    rows += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>")
+                .arg(plain_text(*action).toHtmlEscaped(), keys.toHtmlEscaped());
   }
   QTextBrowser* text = open_page(parent, "keys", help_words("Keys of the present tool"));
   text->setHtml(QStringLiteral("<table cellspacing='0' cellpadding='4'>%1</table>").arg(rows));
@@ -125,7 +136,7 @@ void show_about(QWidget& parent) {
 
 void add_help_menu(MainWindow& window) {
   ActionList& actions = *window.parts().actions;
-  QMenu* menu = actions.menu(QObject::tr("&Help"));
+  QMenu* menu = actions.menu(MenuId::Help);
   const auto add = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
                        std::function<void()> work) {
     actions.add(menu, name, text, keys, std::move(work), Recorded::ByItself);

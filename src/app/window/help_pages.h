@@ -15,6 +15,9 @@ class MainWindow;
 /// @param heading empty, or one that the manual lacks: at its beginning
 void show_manual(QWidget& parent, const QString& heading);
 
+/// The headings of the manual's sections.
+QStringList manual_headings();
+
 /// What an action's key is: its shortcuts, or what its text names behind a tab or its tooltip in brackets at the end;
 /// empty for none.
 QString keys_of(const QAction& action);

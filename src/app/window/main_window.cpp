@@ -239,6 +239,7 @@ void MainWindow::refresh() {
   parts_.show_panels();
   enable_actions(*this);
   for (const auto& tool : parts_.tools) tool->refresh();
+  parts_.actions->show_menus();
   setWindowModified(parts_.studio.session().modified());
   show_help(*this);
 }

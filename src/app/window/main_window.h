@@ -154,6 +154,9 @@ std::function<void()> add_panels(MainWindow& window);
 /// Selects objects, or steps of their chains.
 void select_nodes(Studio& studio, const std::vector<NodeId>& nodes);
 
+/// Selects a step of a chain and puts the keyboard into the field of one of its parameters.
+void show_parameter(MainWindow& window, NodeId step, const std::string& parameter);
+
 /// Shows what a finding is about, in the views or in a report of its own.
 void show_finding(MainWindow& window, const NodeFinding& found);
 

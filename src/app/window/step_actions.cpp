@@ -8,6 +8,7 @@
 
 #include "app/studio/content.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "croquis/document/connectivity.h"
 #include "croquis/workspace/chain.h"
 #include "croquis/workspace/chain_edit.h"
@@ -40,18 +41,18 @@ void add_operations(ToolHost& host, ActionList& actions, QMenu* menu) {
   for (const OperationDescription& description : host.studio().registry().descriptions()) {
     const PortDescription* output = main_output(description);
     if (output == nullptr || output->type != ValueType::Mesh) continue;  // what it gives has no place in a chain
-    add(host, actions, added, adding_action(description.id), QString::fromStdString(description.title), {},
+    add(host, actions, added, adding_action(description.id), shown_text(description.title), {},
         [id = description.id](Studio& studio, NodeId step) {
           add_step(studio, step, id, first_parameters(studio, id));
         })
-        ->setToolTip(QString::fromStdString(description.sentence));
+        ->setToolTip(shown_text(description.sentence));
   }
 }
 
 }  // namespace
 
 void add_step_actions(ToolHost& host, ActionList& actions) {
-  QMenu* menu = actions.menu(QObject::tr("&Object"));
+  QMenu* menu = actions.menu(MenuId::Modify);
   add_operations(host, actions, menu);
   menu->addSeparator();
   const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
@@ -70,22 +71,34 @@ void add_step_actions(ToolHost& host, ActionList& actions) {
   add_row("reapply-step", QObject::tr("Apply to the new mesh by &number"), {}, reapply_step);
   add_row("reapply-step-by-position", QObject::tr("&Apply to the new mesh"), {}, reapply_step_by_position);
   add_row("delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace", remove_step);
-  menu->addSeparator();
+}
+
+void add_object_actions(ToolHost& host, ActionList& actions, QMenu* menu) {
+  const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
+    return add(host, actions, menu, name, text, key, work);
+  };
   add_row("duplicate-object", QObject::tr("&Duplicate object"), "Ctrl+D",
           [](Studio& studio, NodeId) { copy_objects(studio, picked_or_active(studio)); });
   add_row("delete-object", QObject::tr("Delete o&bject"), {},
           [](Studio& studio, NodeId) { remove_objects(studio, picked_or_active(studio)); });
-  add_row("group", QObject::tr("&Group"), {}, [](Studio& studio, NodeId) { group_objects(studio, picked(studio)); });
+  add_row("group", QObject::tr("&Group"), "Ctrl+G",
+          [](Studio& studio, NodeId) { group_objects(studio, picked(studio)); });
   add_row("ungroup", QObject::tr("U&ngroup"), "Ctrl+Shift+G",
           [](Studio& studio, NodeId) { ungroup_objects(studio, picked(studio)); });
+}
+
+void add_visibility_actions(ToolHost& host, ActionList& actions, QMenu* menu) {
+  const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
+    return add(host, actions, menu, name, text, key, work);
+  };
   add_row("hide", QObject::tr("&Hide"), "Ctrl+H",
           [](Studio& studio, NodeId) { show_objects(studio, picked(studio), false); });
-  add_row("show-all", QObject::tr("Sho&w all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
+  add_row("show-all", QObject::tr("Sh&ow all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
     std::vector<NodeId> all;
     for (const WorkObject& object : studio.objects()) all.push_back(object.node);
     show_objects(studio, all, true);
   });
-  add_row("isolate", QObject::tr("&Isolate selection"), "Ctrl+1", [](Studio& studio, NodeId) {
+  add_row("isolate", QObject::tr("Isolate selectio&n"), "Ctrl+1", [](Studio& studio, NodeId) {
     studio.isolate(!studio.isolated().empty() ? std::vector<NodeId>() : picked(studio));
   })->setCheckable(true);
 }
@@ -121,8 +134,6 @@ void enable_step_actions(ToolHost& host) {
   enable("delete-object", object != nullptr);
   const std::vector<NodeId> chosen = picked(studio);
   enable("group", chosen.size() > 1 && !picks_elements(host));
-  // Of elements the same key makes a crease set.
-  host.action("group")->setShortcut(picks_elements(host) ? QKeySequence() : QKeySequence("Ctrl+G"));
   enable("ungroup", std::ranges::any_of(chosen, [&](NodeId each) { return !studio.object(each)->group.empty(); }));
   enable("hide", std::ranges::any_of(chosen, [&](NodeId each) { return studio.object(each)->visible; }));
   enable("show-all", std::ranges::any_of(studio.objects(), [](const WorkObject& each) { return !each.visible; }));

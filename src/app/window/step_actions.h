@@ -10,8 +10,10 @@ namespace croquis::app {
 
 // What people do to objects and to the steps of their chains. All of it is about the object or step that is selected.
 
-/// The menu Object.
+/// Steps in the menu Modify; objects in Edit and View.
 void add_step_actions(ToolHost& host, ActionList& actions);
+void add_object_actions(ToolHost& host, ActionList& actions, QMenu* menu);
+void add_visibility_actions(ToolHost& host, ActionList& actions, QMenu* menu);
 
 /// What can be done with what is selected now.
 void enable_step_actions(ToolHost& host);

@@ -21,6 +21,7 @@
 #include "app/views/render_color.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
+#include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
 #include "croquis/io/mesh_file.h"
@@ -228,7 +229,7 @@ void ask_export_drawing(MainWindow& window) {
 }
 
 void ask_export_result(MainWindow& window, const OperationDescription& operation) {
-  const QString title = QObject::tr("Export %1").arg(QString::fromStdString(operation.title).toLower());
+  const QString title = QObject::tr("Export %1").arg(shown_text(operation.title).toLower());
   ask_export(window, title, ".json", QObject::tr("JSON (*.json)"), [&](const QString& path) {
     say_written(window.parts(), path, export_result(window.studio(), operation, path));
   });
@@ -261,12 +262,28 @@ void add_exports(MainWindow& window, QMenu* menu) {
               [&window] { ask_export_picture(window); });
   actions.add(menu, "export-drawing", QObject::tr("Export &drawing…"), {}, [&window] { ask_export_drawing(window); });
   for (const OperationDescription* operation : result_exports(parts.studio)) {
-    const QString title = QString::fromStdString(operation->title).toLower();
+    const QString title = shown_text(operation->title).toLower();
     actions
         .add(menu, "export-" + QString::fromStdString(operation->id), QObject::tr("Export %1…").arg(title), {},
              [&window, operation] { ask_export_result(window, *operation); })
-        ->setToolTip(QString::fromStdString(operation->sentence));
+        ->setToolTip(shown_text(operation->sentence));
   }
+}
+
+/// They are looked up when the menu opens: files come and go.
+void add_recent_files(MainWindow& window, QMenu* menu) {
+  QMenu* recent = menu->addMenu(QObject::tr("Open &recent"));
+  recent->setObjectName("recent");
+  recent->setToolTipsVisible(true);
+  QObject::connect(recent, &QMenu::aboutToShow, &window, [&window, recent] {
+    recent->clear();
+    for (const QString& path : recent_files()) {
+      QAction* entry = recent->addAction(QFileInfo(path).fileName().replace('&', "&&"));
+      entry->setToolTip(path);
+      QObject::connect(entry, &QAction::triggered, &window, [&window, path] { begin_open(window, {path}); });
+    }
+    if (recent->isEmpty()) recent->addAction(QObject::tr("Nothing was opened yet"))->setEnabled(false);
+  });
 }
 
 void take_opened(MainWindow& window, const QString& path, const Findings& warnings) {
@@ -282,12 +299,13 @@ void take_opened(MainWindow& window, const QString& path, const Findings& warnin
 }  // namespace
 
 void add_file_menu(MainWindow& window) {
-  QMenu* menu = window.parts().actions->menu(QObject::tr("&File"));
+  QMenu* menu = window.parts().actions->menu(MenuId::File);
   const auto add = [&](const char* name, const QString& text, const QKeySequence& key, auto work) {
     window.parts().actions->add(menu, name, text, {key}, [&window, work] { work(window); });
   };
   add("new", QObject::tr("&New sketch"), QKeySequence::New, [](MainWindow& of) { of.start_with(); });
   add("open", QObject::tr("&Open…"), QKeySequence::Open, ask_open);
+  add_recent_files(window, menu);
   add("import", QObject::tr("&Import…"), QKeySequence("Ctrl+Shift+O"), ask_import);
   add("start-page", QObject::tr("S&tart page"), QKeySequence("Ctrl+Home"), show_start_page);
   menu->addSeparator();

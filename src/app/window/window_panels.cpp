@@ -17,10 +17,12 @@
 #include "app/panels/object_names.h"
 #include "app/panels/panel.h"
 #include "app/views/viewport.h"
+#include "app/window/command_palette.h"
 #include "app/window/help_line.h"
 #include "app/window/help_pages.h"
 #include "app/window/main_window.h"
 #include "app/window/panel_docks.h"
+#include "app/window/preferences.h"
 #include "app/window/step_actions.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -33,7 +35,8 @@ constexpr int most_cameras = 9;  // in the menu
 /// What can be done without what is open, or whatever it is; all else belongs to the views.
 bool needs_no_document(const QString& action) {
   return action == "new" || action.startsWith("new-") || action == "open" || action == "import" ||
-         action == "start-page" || action == "quit" || action == "reset-layout" || action.startsWith("help");
+         action == "start-page" || action == "quit" || action == "palette" || action == "preferences" ||
+         action == "reset-layout" || action.startsWith("help");
 }
 
 bool asks_for_file(const QString& action) {
@@ -84,7 +87,7 @@ void look_through_camera(MainWindow& window, int place) {
 }
 
 void add_edit_menu(MainWindow& window) {
-  QMenu* menu = window.parts().actions->menu(QObject::tr("&Edit"));
+  QMenu* menu = window.parts().actions->menu(MenuId::Edit);
   const auto add = [&](const char* name, const QString& text, const QList<QKeySequence>& keys, auto work,
                        Recorded recorded = Recorded::AsAction) {
     window.parts().actions->add(
@@ -98,14 +101,26 @@ void add_edit_menu(MainWindow& window) {
   menu->addSeparator();
   add("delete", QObject::tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)}, delete_selection,
       Recorded::ByItself);
-  add("select-all", QObject::tr("Select &all"), {QKeySequence::SelectAll}, select_all);
-  add("deselect", QObject::tr("Select &none"), {QKeySequence("Escape")}, select_none);
+  add_object_actions(window, *window.parts().actions, menu);
+  menu->addSeparator();
+  add(
+      "palette", QObject::tr("Search &commands…"), {QKeySequence("F3"), QKeySequence("Ctrl+Shift+P")},
+      [](MainWindow& of) { show_palette(of, all_commands(of)); }, Recorded::ByItself);
+  add("preferences", QObject::tr("Pre&ferences…"), {QKeySequence("Ctrl+,")}, show_preferences, Recorded::ByItself);
+}
+
+void add_select_menu(MainWindow& window) {
+  ActionList& actions = *window.parts().actions;
+  QMenu* menu = actions.menu(MenuId::Select);
+  actions.add(menu, "select-all", QObject::tr("&All"), {QKeySequence::SelectAll}, [&window] { select_all(window); });
+  actions.add(menu, "deselect", QObject::tr("&None"), {QKeySequence("Escape")}, [&window] { select_none(window); });
+  menu->addSeparator();
 }
 
 void add_view_menu(MainWindow& window) {
   ActionList& actions = *window.parts().actions;
   Views* views = &window.views();
-  QMenu* menu = actions.menu(QObject::tr("&View"));
+  QMenu* menu = actions.menu(MenuId::View);
   const auto add = [&](const QString& name, const QString& text, const QString& key, std::function<void()> work) {
     return actions.add(menu, name, text, key.isEmpty() ? QList<QKeySequence>() : QList{QKeySequence(key)},
                        std::move(work));
@@ -147,6 +162,8 @@ void add_view_menu(MainWindow& window) {
     views->zebra = window.action("zebra")->isChecked();
     emit views->changed();
   })->setCheckable(true);
+  menu->addSeparator();
+  add_visibility_actions(window, actions, menu);
 }
 
 void choose_nodes(MainWindow& window, const std::vector<NodeId>& nodes) {
@@ -269,7 +286,7 @@ void show_lists(MainWindow& window, ObjectList* objects, FindingsList* findings,
 void add_window_menu(MainWindow& window) {
   ActionList& actions = *window.parts().actions;
   PanelDocks* docks = window.parts().docks;
-  QMenu* menu = actions.menu(QObject::tr("&Window"));
+  QMenu* menu = actions.menu(MenuId::Window);
   for (QDockWidget* dock : docks->all()) {
     const QString name = "panel-" + dock->objectName().chopped(static_cast<int>(strlen("-dock")));
     QAction* shown = actions.add(menu, name, dock->windowTitle(), {}, [&window, docks, dock, name] {
@@ -282,7 +299,7 @@ void add_window_menu(MainWindow& window) {
     });
   }
   menu->addSeparator();
-  actions.add(menu, "reset-layout", QObject::tr("&Reset layout"), {},
+  actions.add(menu, "reset-layout", QObject::tr("&Restore default layout"), {},
               [&window, first = window.saveState()] { reset_layout(window, first); });
 }
 
@@ -308,15 +325,16 @@ void add_actions(MainWindow& window) {
   parts.actions->bar("tools", QObject::tr("Tools"));
   add_file_menu(window);
   add_edit_menu(window);
+  add_select_menu(window);
   add_step_actions(window, *parts.actions);
   add_view_menu(window);
-  parts.actions->menu(QObject::tr("&Tool"));
 }
 
 void add_last_menus(MainWindow& window) {
   add_window_menu(window);
   add_help_menu(window);
   gate_document_actions(window);
+  apply_preferences(window);
 }
 
 void enable_actions(MainWindow& window) {
@@ -388,6 +406,15 @@ void select_nodes(Studio& studio, const std::vector<NodeId>& nodes) {
     studio.set_active(object == nullptr ? nodes.front() : object->node);
   }
   studio.session().select(std::move(selection));
+}
+
+void show_parameter(MainWindow& window, NodeId step, const std::string& parameter) {
+  choose_step(window, step);
+  window.refresh();
+  QDockWidget* dock = window.parts().docks->find("attributes");
+  window.parts().docks->set_wanted(dock, true);
+  dock->raise();
+  dock->findChild<AttributePanel*>()->show_parameter(parameter);
 }
 
 void show_finding(MainWindow& window, const NodeFinding& found) {

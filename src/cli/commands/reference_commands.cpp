@@ -29,7 +29,9 @@ Report describe_parameter(const ParameterDescription& parameter) {
     entry.set("minimum", parameter.minimum).set("maximum", parameter.maximum);
   }
   if (!parameter.choices.empty()) entry.set("choices", Report::list(parameter.choices));
-  return std::move(entry.set("unit", parameter.unit).set("sentence", parameter.sentence));
+  if (!parameter.choice_titles.empty()) entry.set("choice_titles", Report::list(parameter.choice_titles));
+  entry.set("title", title_of(parameter)).set("unit", parameter.unit).set("sentence", parameter.sentence);
+  return entry;
 }
 
 std::string range_text(const ParameterDescription& parameter) {

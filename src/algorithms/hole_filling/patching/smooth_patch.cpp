@@ -122,6 +122,14 @@ double height_of(const std::vector<Vec3>& places, const Hole& hole) {
   return height;
 }
 
+/// Such a patch lies on the surface around its hole instead of over the hole: its height says nothing.
+bool folds_back(const HoleSite& site, const HolePatch& patch) {
+  for (const std::vector<RimFold>& rim : rim_folds(patch, *site.mesh, *site.analysis)) {
+    if (std::ranges::any_of(rim, [](const RimFold& at) { return std::abs(at.angle) > doubtful_fold; })) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Triangles> least_folding_triangulation(const HoleSite& site, Progress& progress) {
@@ -164,6 +172,7 @@ bool rises_too_far(const HoleSite& site, const HolePatch& patch, Progress& progr
   const double rims = height_of(site.polygon.points, hole), height = std::max(rims, height_of(patch.points, hole));
   if (height <= std::max(allowed_height * hole.diameter, allowed_growth * rims)) return false;
   const auto smooth = smooth_patch(site, false, progress);
+  if (smooth && folds_back(site, *smooth)) return false;
   return !smooth || height > allowed_growth * std::max(rims, height_of(smooth->points, hole));
 }
 

@@ -77,7 +77,7 @@ BackdropTool::BackdropTool(ToolHost& host) : Tool(host, "Pictures to trace"), ed
 }
 
 void BackdropTool::make_actions(ActionList& actions) {
-  QMenu* menu = actions.menu(tr("&Object"))->addMenu(tr("P&icture behind the drawing"));
+  QMenu* menu = actions.menu(MenuId::Sketch)->addMenu(tr("P&icture behind the drawing"));
   const auto add = [&](const QString& name, const QString& text, const QString& button, std::function<void()> work) {
     QAction* action = actions.add(
         menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);

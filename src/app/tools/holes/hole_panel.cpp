@@ -17,6 +17,7 @@
 #include "app/tools/holes/hole_table.h"
 #include "app/tools/holes/scan_holes.h"
 #include "app/tools/holes/surface_check.h"
+#include "app/window/language.h"
 #include "croquis/remeshing/remesh.h"
 
 namespace croquis::app {
@@ -213,7 +214,7 @@ void add_methods(Panel& panel, ScanHoles& holes) {
   using Choice = Panel::Choice;
   QLabel* of_all = panel.label(Panel::tr("Preset, of all holes:"));
   if (const ParameterDescription* described = parameter(holes, "preset"))
-    of_all->setToolTip(QString::fromStdString(described->sentence));
+    of_all->setToolTip(shown_text(described->sentence));
   const std::vector<Choice> presets{{Panel::tr("Automatic"), "auto"},
                                     {Panel::tr("Standard"), "standard"},
                                     {Panel::tr("Sharp: machined parts"), "sharp"},
@@ -238,8 +239,7 @@ void add_methods(Panel& panel, ScanHoles& holes) {
   std::vector<Choice> kernels;
   if (const ParameterDescription* described = parameter(holes, "kernel")) {
     for (std::size_t i = 0; i < described->choices.size(); ++i)
-      kernels.push_back(
-          {QString::fromStdString(described->choice_titles[i]), QString::fromStdString(described->choices[i])});
+      kernels.push_back({shown_text(described->choice_titles[i]), QString::fromStdString(described->choices[i])});
   }
   QComboBox* fairness = panel.choice_of_values(
       "hole-way", methods, [&holes] { return method_of_selected(holes).fairness; },

@@ -23,13 +23,13 @@ using hole_filling::HoleClass;
 
 const char* word_of(HoleClass kind) {
   switch (kind) {
-    case HoleClass::Small: return "small";
-    case HoleClass::Simple: return "hole";
-    case HoleClass::Islands: return "with island";
-    case HoleClass::Tunnel: return "tunnel end";
-    case HoleClass::Outer: return "open edge";
-    case HoleClass::Slit: return "slit";
-    case HoleClass::BowTie: return "touches another";
+    case HoleClass::Small: return QT_TR_NOOP("small");
+    case HoleClass::Simple: return QT_TR_NOOP("hole");
+    case HoleClass::Islands: return QT_TR_NOOP("with island");
+    case HoleClass::Tunnel: return QT_TR_NOOP("tunnel end");
+    case HoleClass::Outer: return QT_TR_NOOP("open edge");
+    case HoleClass::Slit: return QT_TR_NOOP("slit");
+    case HoleClass::BowTie: return QT_TR_NOOP("touches another");
   }
   return "";
 }
@@ -84,7 +84,7 @@ void start_filling(Studio& studio) {
     throw Error(
         make_error(Category::Usage, "E_EMPTY",
                    readable_name(object.name) +
-                       " has no holes: every edge has faces on both sides; to remesh it choose Object > Add step"));
+                       " has no holes: every edge has faces on both sides; to remesh it choose Modify > Add step"));
   }
   AddedNode added = with_step(studio.session().document(), studio.registry(), object.node, filling_operation,
                               {{"select", std::string("none")}});

@@ -38,13 +38,13 @@ MeasuringTool::MeasuringTool(ToolHost& host)
       tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }) {}
 
 void MeasuringTool::make_actions(ActionList& actions) {
-  actions.add_mode(actions.menu(tr("&Tool")), "measure", tr("M&easure"), "M", [this] { host().set_mode("measure"); });
-  QMenu* edit = actions.menu(tr("&Edit"));
-  QAction* copy = actions.add(edit, "copy-measurement", tr("&Copy measurement"), {QKeySequence::Copy}, [this] {
+  QMenu* edit = actions.menu(MenuId::Edit);
+  edit->addSeparator();
+  actions.add_mode(edit, "measure", tr("M&easure"), "M", [this] { host().set_mode("measure"); });
+  actions.add(edit, "copy-measurement", tr("&Copy measurement"), {QKeySequence::Copy}, [this] {
     QApplication::clipboard()->setText(QString::fromStdString(measured_text(tool_.places())));
     host().say(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
   });
-  edit->insertAction(actions.find("delete"), copy);
 }
 
 void MeasuringTool::refresh() { host().action("copy-measurement")->setEnabled(active() && tool_.places().size() > 1); }

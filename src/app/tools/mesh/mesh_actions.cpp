@@ -19,6 +19,7 @@
 #include "app/tools/action_rows.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/mesh_editing/tag_edit.h"
 #include "croquis/tools/mesh/mesh_steps.h"
@@ -93,7 +94,8 @@ std::vector<ActionRow> taggings(MeshEditingTool& mesh) {
       {"sharp-boundary", menu_text("Sharp &boundary"), {}, run(recorded::Tag{.edges = "boundary", .sharpness = sharp})},
       {"sharper", menu_text("Sharper by a half"), shortcuts("Ctrl+Up"), run(recorded::Tag{.change = 0.5})},
       {"softer", menu_text("Softer by a half"), shortcuts("Ctrl+Down"), run(recorded::Tag{.change = -0.5})},
-      {"crease-set", menu_text("Crease &set of the selection"), {}, [&mesh] { make_crease_set(mesh); }}};
+      {"crease-set", menu_text("Crease &set of the selection"), shortcuts("Ctrl+G"),
+       [&mesh] { make_crease_set(mesh); }}};
 }
 
 /// What the actions are made from, and where they go.
@@ -116,14 +118,16 @@ void add_tip(QAction* action) {
 }
 
 void add_handles(Making& making) {
-  QMenu* menu = making.actions.menu(menu_text("&Tool"));
-  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
-    making.actions.add_mode(menu, mode, text, key, [&host = making.host, mode] { host.set_mode(mode); });
+  const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {
+    making.actions.add_mode(making.actions.menu(menu), mode, text, key,
+                            [&host = making.host, mode] { host.set_mode(mode); });
   };
-  add_mode("move", menu_text("&Move"), "W");
-  add_mode("rotate", menu_text("&Turn"), "E");
-  add_mode("scale", menu_text("S&cale"), "R");
-  add_mode("sharpen", menu_text("Change s&harpness"), "S");
+  making.actions.menu(MenuId::Modify)->addSeparator();
+  add_mode(MenuId::Modify, "move", menu_text("Mo&ve"), "W");
+  add_mode(MenuId::Modify, "rotate", menu_text("&Rotate"), "E");
+  add_mode(MenuId::Modify, "scale", menu_text("S&cale"), "R");
+  add_mode(MenuId::Mesh, "sharpen", menu_text("C&hange sharpness"), "S");
+  making.actions.menu(MenuId::Mesh)->addSeparator();
 }
 
 void add_modes(Making& making, QMenu* menu) {
@@ -164,8 +168,8 @@ void add_edits(Making& making, QMenu* menu) {
       tool.act([&](MeshTool& mesh) { return mesh.edits().begin(id); });
     };
     QAction* action = making.actions.add(menu, QString::fromStdString("edit-" + description.id),
-                                         QString::fromStdString(description.title), keys, work, Recorded::ByItself);
-    action->setToolTip(QString::fromStdString(description.sentence));
+                                         shown_text(description.title), keys, work, Recorded::ByItself);
+    action->setToolTip(shown_text(description.sentence));
     making.made.edits.emplace_back(action, description);
   }
 }
@@ -188,7 +192,7 @@ void add_shapes(Making& making, QMenu* menu) {
                                               tool.follow();
                                               emit tool.state_changed();
                                             });
-  add_edits(making, menu->addMenu(menu_text("Edit ele&ments")));
+  add_edits(making, menu);
 }
 
 /// The object of that name, else the one with such a node in its chain.
@@ -324,7 +328,6 @@ void refresh_mesh_actions(const MeshActions& made, MeshTool& tool, ToolHost& hos
   for (QAction* action : made.of_mesh) action->setEnabled(mesh);
   // Objects are grouped by the same key.
   host.action("crease-set")->setEnabled(mesh && picks_elements);
-  host.action("crease-set")->setShortcut(picks_elements ? QKeySequence("Ctrl+G") : QKeySequence());
   // Picking elements begins the work on a computed mesh.
   for (const auto& [mode, action] : made.modes) action->setEnabled(object != nullptr && object->editable != 0);
   made.modes.at(tool.selection().mode())->setChecked(true);
@@ -338,12 +341,12 @@ MeshActions make_mesh_actions(MeshEditingTool& tool, ToolHost& host, ActionList&
   Making making{tool, host, actions};
   add_handles(making);
   making.made.bar = actions.bar("mesh-tools", menu_text("Mesh"));
-  QMenu* menu = actions.menu(menu_text("&Mesh"));
-  add_modes(making, menu);
-  add(making, menu, conversions(making.tool));
-  add_selections(making, menu->addMenu(menu_text("&Select")));
+  add_modes(making, actions.menu(MenuId::Select));
+  add(making, actions.menu(MenuId::Select), conversions(making.tool));
+  add_selections(making, actions.menu(MenuId::Select));
+  QMenu* menu = actions.menu(MenuId::Mesh);
   add_shapes(making, menu);
-  making.made.scale = std::make_unique<ScaleOffer>(host, actions, menu);
+  making.made.scale = std::make_unique<ScaleOffer>(host, actions, actions.menu(MenuId::Modify));
   menu->addSeparator();
   making.made.bar->addSeparator();
   for (QAction* action : add(making, menu, taggings(making.tool)).first(tag_buttons)) {

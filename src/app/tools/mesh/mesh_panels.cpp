@@ -17,6 +17,7 @@
 #include "app/panels/attribute_panel.h"
 #include "app/panels/number_box.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 #include "croquis/mesh_editing/tag_edit.h"
 
@@ -287,7 +288,7 @@ void EditPanel::make_fields(const EditDescription& edit) {
     connect(field, &ParameterField::edited, this,
             [this, name = parameter.name](const ParameterValue& value, bool) { adjust(name, value); });
     auto* label = new QLabel(parameter_title(parameter), this);
-    label->setToolTip(QString::fromStdString(parameter.sentence));
+    label->setToolTip(shown_text(parameter.sentence));
     label->setBuddy(field);
     layout_->addRow(label, field);
     fields_[parameter.name] = field;

@@ -164,18 +164,18 @@ std::vector<ActionRow> stroke_actions(Sheet& sheet) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   const auto run = [&sheet](auto work) { return [&sheet, work] { sheet.host.attempt([&] { work(sheet); }); }; };
   return {{},
-          {"stroke-hidden", tr("&Hidden edge, or seen again"), {}, run(hide_or_show)},
-          {"stroke-link", tr("&Tie pieces together by a construction line, or no more"), {}, run(tie_or_untie)},
+          {"stroke-hidden", tr("&Hidden edge"), {}, run(hide_or_show)},
+          {"stroke-link", tr("&Link pieces by a construction line"), {}, run(tie_or_untie)},
           {"ends-smooth", tr("Ends go on &smoothly"), {}, run(lock_ends<EndLock::Smooth>)},
           {"ends-corner", tr("Ends are &corners"), {}, run(lock_ends<EndLock::Corner>)},
           {"ends-free", tr("Ends as they are &drawn"), {}, run(lock_ends<EndLock::None>)},
-          {"edge-sharp", tr("Faces meet &sharply there, or smoothly again"), {}, run(toggle_sharp)},
+          {"edge-sharp", tr("Sharp ed&ge between faces"), {}, run(toggle_sharp)},
           {},
           {"known-point",
            tr("&Known point: click it and type its coordinates"),
            {},
            [&sheet] { sheet.host.attempt([&] { pick(sheet, SheetPick::Point); }); }},
-          {"known-length", tr("Known &length of a stroke"), {}, run(begin_known_length)},
+          {"known-length", tr("Kno&wn length of a stroke"), {}, run(begin_known_length)},
           {},
           {"add-face",
            tr("&Add the face between the selected strokes"),
@@ -209,11 +209,11 @@ void add_keys(Sheet& sheet, ToolKeys& keys) {
 }  // namespace
 
 void add_sheet_actions(Sheet& sheet, ActionList& actions, ToolKeys& keys) {
-  QMenu* file = actions.menu(QObject::tr("&File"));
+  QMenu* file = actions.menu(MenuId::File);
   QAction* fresh = actions.add(file, "new-perspective", QObject::tr("New &perspective drawing"), {},
                                [&sheet] { begin_new(sheet.host); });
   file->insertAction(actions.find("open"), fresh);
-  QMenu* menu = actions.menu(QObject::tr("&Perspective"));
+  QMenu* menu = actions.menu(MenuId::Perspective);
   add_group_actions(sheet, actions, menu);
   add_rows(actions, menu, stroke_actions(sheet));
   QAction* through = actions.add(menu, "look-through", QObject::tr("&Look through the drawing"), {QKeySequence("V")},

@@ -167,12 +167,7 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
 
 void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
-  QMenu* edit = actions.menu(tr("&Edit"));
-  QAction* join =
-      actions.add(edit, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
-  edit->insertAction(actions.find("delete"), join);
-  actions.menu(tr("&Object"))->addSeparator();
-  QMenu* added = actions.menu(tr("&Object"))->addMenu(tr("Add s&ketch"));
+  QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("&Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
                              const DrawingPlane& plane) {
     actions.add(added, name, text, keys, [&host, plane] { add_sketch(host, plane); });
@@ -180,13 +175,15 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions)
   add_plane("add-sketch", tr("Seen from the &front"), {QKeySequence("Ctrl+Shift+N")}, {});
   add_plane("add-sketch-top", tr("Seen from the &top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
   add_plane("add-sketch-side", tr("Seen from the &side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
-  QMenu* menu = actions.menu(tr("&Tool"));
-  const auto add_mode = [&](const QString& mode, const QString& text, const QString& key) {
-    actions.add_mode(menu, mode, text, key, [&host, mode] { host.set_mode(mode); });
+  const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {
+    actions.add_mode(actions.menu(menu), mode, text, key, [&host, mode] { host.set_mode(mode); });
   };
-  add_mode("draw", tr("&Draw"), "D");
-  add_mode("erase", tr("&Erase"), "X");
-  add_mode(select_mode, tr("&Select and reshape"), "Q");
+  add_mode(MenuId::Sketch, "draw", tr("&Draw"), "D");
+  add_mode(MenuId::Sketch, "erase", tr("&Erase"), "X");
+  add_mode(MenuId::Select, select_mode, tr("Select and res&hape"), "Q");
+  QMenu* sketch = actions.menu(MenuId::Sketch);
+  actions.add(sketch, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
+  sketch->addSeparator();
 }
 
 QString help_of(SketchMode mode, bool has_strokes) {

@@ -13,6 +13,7 @@
 #include "app/replay/replays.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
@@ -152,8 +153,7 @@ void Comparison::follow() {
       value_.empty() ? another_choice(*parameter, text_of(values_of(*node, *operation), parameter_)) : value_;
   const auto chosen = std::ranges::find(parameter->choices, shown_value_) - parameter->choices.begin();
   const bool is_titled = chosen < std::ssize(parameter->choice_titles);
-  title_ =
-      QString::fromStdString(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown_value_);
+  title_ = shown_text(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown_value_);
   Node other = *node;
   other.id = compared_node;
   other.parameters[parameter_] = shown_value_;
@@ -266,7 +266,7 @@ SubdivisionTool::SubdivisionTool(ToolHost& host)
 }
 
 void SubdivisionTool::make_actions(ActionList& actions) {
-  QMenu* menu = actions.menu(tr("&Subdivision"));
+  QMenu* menu = actions.menu(MenuId::Mesh)->addMenu(tr("Su&bdivision"));
   const auto add_view = [&](const QString& name, const QString& text, const QString& key, ChainView view) {
     actions_ << actions.add(menu, name, text, {QKeySequence(key)}, [this, view] {
       show_smooth(studio(), view);
@@ -298,7 +298,7 @@ void SubdivisionTool::make_actions(ActionList& actions) {
   };
   add_keep("keep-shape", tr("&Keep the shape of the selected faces"), KeptShape::Faces);
   add_keep("keep-outline", tr("Keep their &outline"), KeptShape::Outline);
-  actions_ << actions.add(menu, "freeze", tr("F&reeze as a mesh of its own"), {},
+  actions_ << actions.add(actions.menu(MenuId::Create), "freeze", tr("&Mesh from what is shown"), {},
                           [this] { host().attempt([this] { freeze_level(studio()); }); });
 }
 
@@ -309,7 +309,7 @@ void SubdivisionTool::make_scheme_actions(ActionList& actions, QMenu* schemes, Q
     if (parameter.name != "scheme" && parameter.name != "preset") continue;
     for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
       const std::string& choice = parameter.choices[i];
-      const QString text = QString::fromStdString(parameter.choice_titles[i]);
+      const QString text = shown_text(parameter.choice_titles[i]);
       const QString id = QString::fromStdString(choice);
       actions_ << actions.add(schemes, QString::fromStdString(parameter.name) + "-" + id, text, {},
                               [this, name = parameter.name, choice] { set_smoothing(studio(), name, choice); });

@@ -7,6 +7,7 @@
 #include "app/tools/action_rows.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 
 namespace croquis::app {
 namespace {
@@ -128,7 +129,7 @@ std::vector<ActionRow> element_actions(DrawnNetwork& network) {
 }
 
 void add_mode_actions(ToolHost& host, ActionList& actions) {
-  QMenu* menu = actions.menu(QObject::tr("&Tool"));
+  QMenu* menu = actions.menu(MenuId::Surface);
   const auto add_mode = [&](const QString& mode, const QString& text, const QString& tip) {
     QAction* action = actions.add_mode(menu, mode, text, {}, [&host, mode] { host.set_mode(mode); });
     action->setToolTip(tip);
@@ -158,7 +159,8 @@ void add_plane_actions(DrawnNetwork& network, ActionList& actions, QMenu* planes
 void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   add_mode_actions(network.host, actions);
-  QMenu* menu = actions.menu(tr("Sur&face"));
+  QMenu* menu = actions.menu(MenuId::Surface);
+  menu->addSeparator();
   for (QAction* action : add_rows(actions, menu, element_actions(network)))
     action->setToolTip(action->text().remove('&'));
   actions.find("symmetric-edit")->setCheckable(true);
@@ -174,11 +176,11 @@ void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking
            [&network] { network.show_jumps(network.host.action("normal-jump")->isChecked()); })
       ->setCheckable(true);
   // From whatever the active object is made of: strokes, edges.
-  QMenu* sources = menu->addMenu(tr("Take &curves"));
+  QMenu* sources = actions.menu(MenuId::Create)->addMenu(tr("Su&rface from"));
   for (const OperationDescription* operation : taking.ways()) {
-    QAction* action = actions.add(sources, taking_action(*operation), QString::fromStdString(operation->title), {},
+    QAction* action = actions.add(sources, taking_action(*operation), shown_text(operation->title), {},
                                   [&taking, id = operation->id] { taking.take(id); });
-    action->setToolTip(QString::fromStdString(operation->sentence));
+    action->setToolTip(shown_text(operation->sentence));
   }
 }
 

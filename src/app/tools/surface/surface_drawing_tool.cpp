@@ -246,7 +246,7 @@ SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
 }
 
 void SurfaceDrawingTool::make_actions(ActionList& actions) {
-  QMenu* file = actions.menu(tr("&File"));
+  QMenu* file = actions.menu(MenuId::File);
   QAction* fresh = actions.add(file, "new-surface", tr("New s&urface"), {}, [this] {
     if (host().start_with(studio().with_network(Document(), {}, studio().network_options()))) show_in_space();
   });

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/language.h"
+
+#include <QAbstractItemModel>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QHash>
+#include <QHeaderView>
+#include <QLibraryInfo>
+#include <QLineEdit>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTextEdit>
+#include <QTranslator>
+#include <QTreeWidget>
+#include <QXmlStreamReader>
+#include <array>
+
+namespace croquis::app {
+namespace {
+
+constexpr const char* context = "Croquis";
+constexpr const char* language_key = "language";
+
+/// The same text is translated alike wherever the sources have it.
+class Translations : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  bool isEmpty() const override { return false; }
+  QString translate(const char*, const char* source, const char*, int) const override {
+    return QTranslator::translate(context, source);
+  }
+};
+
+QString without_marks(QString text) {
+  return text.replace("&&", QStringLiteral("\x01")).remove('&').replace('\x01', "&&");
+}
+
+/// All that was shown in another language than English, by what was shown, both without the marks of letters.
+QHash<QString, QString>& shown_english() {
+  static QHash<QString, QString> known;
+  return known;
+}
+
+/// The English texts, by themselves without marks.
+QHash<QString, QString>& english_texts() {
+  static QHash<QString, QString> known;
+  return known;
+}
+
+/// A text with places for values, in English or another language.
+struct Pattern {
+  QRegularExpression shown;
+  QList<int> places;  ///< which value each group of it is
+  QString source;
+};
+
+QList<Pattern>& patterns() {
+  static QList<Pattern> known;
+  return known;
+}
+
+void add_pattern(const QString& shown, const QString& source) {
+  static const QRegularExpression place(QStringLiteral("%(\\d)"));
+  static const QRegularExpression word(QStringLiteral("\\w{3}|[\\x{ac00}-\\x{d7a3}]{2}"));
+  if (!shown.contains(place) || !QString(shown).remove(place).contains(word)) return;  // it would fit anything
+  Pattern pattern{{}, {}, source};
+  QString expression;
+  qsizetype end = 0;
+  for (const auto& found : place.globalMatch(shown)) {
+    expression += QRegularExpression::escape(shown.mid(end, found.capturedStart() - end)) + "(.+)";
+    pattern.places << found.captured(1).toInt();
+    end = found.capturedEnd();
+  }
+  pattern.shown.setPattern(
+      QRegularExpression::anchoredPattern(expression + QRegularExpression::escape(shown.mid(end))));
+  patterns() << pattern;
+}
+
+void read_texts(const QString& code) {
+  QFile file(QStringLiteral(":/languages/croquis_%1.ts").arg(code));
+  if (!file.open(QIODevice::ReadOnly)) return;
+  QXmlStreamReader reader(&file);
+  QString source;
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    if (reader.name() == QLatin1String("source")) {
+      source = reader.readElementText();
+      english_texts()[without_marks(source)] = source;
+      add_pattern(without_marks(source), source);
+    } else if (reader.name() == QLatin1String("translation")) {
+      const QString translation = without_marks(reader.readElementText());
+      shown_english()[translation] = source;
+      add_pattern(translation, source);
+    }
+  }
+}
+
+QString translated(const QString& english) {
+  return QCoreApplication::translate(context, english.toUtf8().constData());
+}
+
+/// A text that is shown, in the language in use. What follows it ("\tEnter", " (mm)") is a text of its own.
+QString in_language(const QString& shown) {
+  if (shown.isEmpty()) return shown;
+  for (const char* mark : {"\t", " ("}) {
+    const auto at = shown.lastIndexOf(QLatin1String(mark));
+    if (at <= 0 || english_texts().contains(without_marks(english_of(shown)))) continue;
+    if (*mark == '\t') return in_language(shown.left(at)) + '\t' + in_language(shown.mid(at + 1));
+    if (shown.endsWith(')'))
+      return in_language(shown.left(at)) + " (" + in_language(shown.mid(at + 2).chopped(1)) + ')';
+  }
+  const auto source = english_texts().constFind(without_marks(english_of(shown)));
+  if (source != english_texts().constEnd()) return translated(*source);
+  for (const Pattern& pattern : patterns()) {
+    const auto found = pattern.shown.match(without_marks(shown));
+    if (!found.hasMatch()) continue;
+    QString text = translated(pattern.source);
+    for (int i = 0; i < pattern.places.size(); ++i)
+      text.replace(QChar(u'%') + QString::number(pattern.places[i]), in_language(found.captured(i + 1)));
+    return text;
+  }
+  return shown;
+}
+
+void translate_properties(QObject& object) {
+  // What people type isn't the window's.
+  const bool typed = qobject_cast<QLineEdit*>(&object) != nullptr || qobject_cast<QTextEdit*>(&object) != nullptr;
+  constexpr std::array names{"text",    "iconText",  "title",         "windowTitle", "placeholderText",
+                             "toolTip", "statusTip", "accessibleName"};
+  for (const char* name : names) {
+    if (typed && qstrcmp(name, "text") == 0) continue;
+    const QVariant value = object.property(name);
+    if (value.metaType() != QMetaType::fromType<QString>()) continue;
+    // Two English texts may have one translation: which it was is kept beside.
+    const QByteArray kept_name = QByteArray("english of ") + name;
+    const QStringList kept = object.property(kept_name.constData()).toStringList();
+    const QString before = value.toString();
+    const QString english = !kept.isEmpty() && kept.front() == before ? kept.back() : before;
+    QString after = in_language(english);
+    if (qstrcmp(name, "text") != 0 && qstrcmp(name, "title") != 0) after = without_marks(after);
+    if (after == before) continue;
+    object.setProperty(name, after);
+    object.setProperty(kept_name.constData(), QStringList{after, english});
+  }
+}
+
+void translate_items(QObject& object) {
+  if (auto* box = qobject_cast<QComboBox*>(&object)) {
+    for (int i = 0; i < box->count(); ++i) box->setItemText(i, in_language(box->itemText(i)));
+  }
+  if (auto* header = qobject_cast<QHeaderView*>(&object); header != nullptr && header->model() != nullptr) {
+    QAbstractItemModel& model = *header->model();
+    for (int i = 0; i < header->count(); ++i) {
+      const QString title = model.headerData(i, header->orientation()).toString();
+      if (const QString after = in_language(title); after != title)
+        model.setHeaderData(i, header->orientation(), after);
+    }
+  }
+}
+
+}  // namespace
+
+QList<std::pair<QString, QString>> languages() { return {{"en", "English"}, {"ko", QStringLiteral("한국어")}}; }
+
+QString kept_language() {
+  const QString chosen = QSettings().value(language_key).toString();
+  const QString wanted = chosen.isEmpty() ? QLocale().name().section('_', 0, 0) : chosen;
+  for (const auto& [code, name] : languages()) {
+    if (code == wanted) return code;
+  }
+  return languages().front().first;
+}
+
+void keep_language(const QString& code) { QSettings().setValue(language_key, code); }
+
+void use_language(const QString& code) {
+  static std::array<std::unique_ptr<QTranslator>, 2> installed;
+  installed = {};  // one that is destroyed isn't installed any more
+  if (english_texts().isEmpty()) {
+    for (const auto& [known, name] : languages()) read_texts(known);
+  }
+  auto own = std::make_unique<Translations>();
+  if (!own->load(QStringLiteral(":/languages/croquis_%1.qm").arg(code))) return;
+  auto qt = std::make_unique<QTranslator>();  // of buttons such as Cancel
+  if (qt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    QCoreApplication::installTranslator(qt.get());
+  QCoreApplication::installTranslator(own.get());
+  installed = {std::move(qt), std::move(own)};
+}
+
+void retranslate(QWidget& window) {
+  translate_properties(window);
+  for (QObject* object : window.findChildren<QObject*>()) {
+    translate_properties(*object);
+    translate_items(*object);
+  }
+}
+
+QString shown_text(const std::string& english) { return QCoreApplication::translate(context, english.c_str()); }
+
+QString english_of(const QString& shown) {
+  const QString plain = without_marks(shown);
+  return english_texts().contains(plain) ? plain : without_marks(shown_english().value(plain, plain));
+}
+
+}  // namespace croquis::app

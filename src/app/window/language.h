@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <string>
+
+class QWidget;
+
+namespace croquis::app {
+
+// English stands in the sources and in the descriptions of operations; other languages in languages/, which
+// scripts/translations keeps complete. A text has one translation, wherever it is shown.
+
+/// Codes of the languages with their own names, English first.
+QList<std::pair<QString, QString>> languages();
+
+/// The language that people chose, else that of the system where there is one; else English.
+QString kept_language();
+void keep_language(const QString& code);
+
+/// Texts are shown in that language from now on.
+void use_language(const QString& code);
+
+/// Gives what a window shows already, and windows of its own, texts in the language in use.
+void retranslate(QWidget& window);
+
+/// A text of a description in the language in use.
+QString shown_text(const std::string& english);
+
+/// The English of a shown text; the text itself where it is none of the translated ones.
+QString english_of(const QString& shown);
+
+}  // namespace croquis::app

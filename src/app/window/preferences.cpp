@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/preferences.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QFile>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTreeWidget>
+#include <array>
+
+#include "app/views/viewport.h"
+#include "app/window/command_palette.h"
+#include "app/window/hotkeys.h"
+#include "app/window/language.h"
+#include "app/window/main_window.h"
+
+namespace croquis::app {
+namespace {
+
+constexpr QSize dialog_size(680, 600);
+constexpr const char* navigation_key = "navigation";
+
+QString preference_text(const char* text) { return QCoreApplication::translate("Preferences", text); }
+
+struct NavigationChoice {
+  NavigationPreset preset;
+  const char* name;  ///< in the settings
+  QString title;
+  QString sentence;
+};
+
+std::array<NavigationChoice, 3> navigation_choices() {
+  return {{{NavigationPreset::Maya, "maya", preference_text("Maya"),
+            preference_text("Alt + left button rotates, Alt + middle pans, Alt + right zooms")},
+           {NavigationPreset::Blender, "blender", preference_text("Blender"),
+            preference_text("The middle button rotates, with Shift pans, with Ctrl zooms")},
+           {NavigationPreset::Cad, "cad", preference_text("CAD"),
+            preference_text("The middle button rotates, with Ctrl pans, with Shift zooms")}}};
+}
+
+int kept_navigation() {
+  const QString kept = QSettings().value(navigation_key).toString();
+  const auto choices = navigation_choices();
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (kept == choices[i].name) return static_cast<int>(i);
+  }
+  return 0;
+}
+
+void navigate_as(MainWindow& window, int choice) {
+  NavigationOptions options;
+  options.preset = navigation_choices()[static_cast<std::size_t>(choice)].preset;
+  window.views().navigation.set_options(options);
+}
+
+/// The list of all actions with their keys, and a field for those of the selected one.
+class KeyEditor : public QWidget {
+ public:
+  KeyEditor(MainWindow& window, QWidget* parent) : QWidget(parent), window_(window), map_(kept_keys()) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    list_->setObjectName("keys");
+    list_->setAccessibleName(preference_text("Commands and their keys"));
+    list_->setHeaderLabels({preference_text("Command"), preference_text("Menu"), preference_text("Keys")});
+    list_->setRootIsDecorated(false);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    column->addWidget(list_, 1);
+    auto* row = new QHBoxLayout;
+    field_->setObjectName("key");
+    field_->setAccessibleName(preference_text("New key"));
+    row->addWidget(field_, 1);
+    const auto add_button = [&](const QString& text, const char* name, auto work) {
+      auto* button = new QPushButton(text, this);
+      button->setObjectName(name);
+      button->setAutoDefault(false);
+      connect(button, &QPushButton::clicked, this, work);
+      row->addWidget(button);
+    };
+    add_button(preference_text("&Set"), "set-key", [this] { set({field_->keySequence()[0]}); });
+    add_button(preference_text("&Remove"), "remove-key", [this] { set({}); });
+    add_button(preference_text("As in the &preset"), "reset-key", [this] { reset(); });
+    add_button(preference_text("&Export…"), "export-keys", [this] { ask_export(); });
+    add_button(preference_text("I&mport…"), "import-keys", [this] { ask_import(); });
+    column->addLayout(row);
+    clash_->setObjectName("clash");
+    clash_->setWordWrap(true);
+    column->addWidget(clash_);
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this] { show_selected(); });
+    connect(field_, &QKeySequenceEdit::keySequenceChanged, this, [this] { show_clash(); });
+    list_actions();
+  }
+
+  const QString& preset() const { return map_.preset; }
+
+  /// What people changed by hand stays changed.
+  void set_preset(const QString& preset) {
+    map_.preset = preset;
+    take();
+  }
+
+  void filter(const QString& typed) {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+      QTreeWidgetItem* item = list_->topLevelItem(i);
+      const QString row = item->text(0) + ' ' + item->text(1) + ' ' + item->text(2);
+      item->setHidden(!typed.trimmed().isEmpty() && match_of(typed, row) == 0);
+    }
+  }
+
+ private:
+  void list_actions() {
+    for (QAction* action : window_.actions()) {
+      const QString text = plain_text(*action);
+      if (text.isEmpty()) continue;
+      auto* item = new QTreeWidgetItem(list_, {text, menu_place(*action), {}});
+      item->setData(0, Qt::UserRole, action->objectName());
+    }
+    show_keys();
+    list_->setCurrentItem(list_->topLevelItem(0));
+  }
+
+  void show_keys() {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+      QTreeWidgetItem* item = list_->topLevelItem(i);
+      const QAction* action = action_of(item);
+      item->setText(2, QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText));
+      QFont font = item->font(2);
+      font.setBold(map_.own.contains(action->objectName()));
+      item->setFont(2, font);
+    }
+    show_selected();
+  }
+
+  QAction* action_of(const QTreeWidgetItem* item) const {
+    return window_.action(item->data(0, Qt::UserRole).toString());
+  }
+  QAction* selected() const { return list_->currentItem() == nullptr ? nullptr : action_of(list_->currentItem()); }
+
+  void show_selected() {
+    const QAction* action = selected();
+    if (action != nullptr) field_->setKeySequence(action->shortcut());
+    show_clash();
+  }
+
+  /// Who else has the key in the field.
+  void show_clash() {
+    const QAction* action = selected();
+    QStringList others;
+    if (action != nullptr && !field_->keySequence().isEmpty()) {
+      for (const QAction* other : actions_with_keys({field_->keySequence()[0]}, *action, window_.actions()))
+        others << QStringLiteral("%1 (%2)").arg(plain_text(*other), menu_place(*other));
+    }
+    clash_->setText(others.isEmpty() ? QString()
+                                     : preference_text("Also the key of %1").arg(others.join(QStringLiteral(", "))));
+  }
+
+  void set(const QList<QKeySequence>& keys) {
+    const QAction* action = selected();
+    if (action == nullptr) return;
+    map_.own[action->objectName()] = keys;
+    take();
+  }
+
+  void reset() {
+    const QAction* action = selected();
+    if (action == nullptr) return;
+    map_.own.remove(action->objectName());
+    take();
+  }
+
+  void take() {
+    keep_keys(map_);
+    apply_keys(map_, window_.actions());
+    show_keys();
+  }
+
+  void ask_export() {
+    const QString path = QFileDialog::getSaveFileName(this, preference_text("Export keys"), "keys.json",
+                                                      preference_text("Keys (*.json)"));
+    if (path.isEmpty()) return;
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(json_of(map_)) < 0)
+      clash_->setText(preference_text("\"%1\" can't be written: %2").arg(path, file.errorString()));
+  }
+
+  void ask_import() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, preference_text("Import keys"), {}, preference_text("Keys (*.json)"));
+    if (path.isEmpty()) return;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+      return clash_->setText(preference_text("\"%1\" can't be read: %2").arg(path, file.errorString()));
+    try {
+      map_ = key_map_of(file.readAll(), path);
+      take();
+    } catch (const Error& error) {
+      clash_->setText(QString::fromStdString(error.findings().front().message));
+    }
+  }
+
+  MainWindow& window_;
+  KeyMap map_;
+  QTreeWidget* list_ = new QTreeWidget(this);
+  QKeySequenceEdit* field_ = new QKeySequenceEdit(this);
+  QLabel* clash_ = new QLabel(this);
+};
+
+QComboBox* make_language_field(MainWindow& window, QWidget* parent) {
+  auto* field = new QComboBox(parent);
+  field->setObjectName("language");
+  for (const auto& [code, name] : languages()) field->addItem(name, code);
+  field->setCurrentIndex(field->findData(kept_language()));
+  QObject::connect(field, &QComboBox::currentIndexChanged, &window, [&window, field] {
+    const QString code = field->currentData().toString();
+    keep_language(code);
+    use_language(code);
+    retranslate(window);
+    window.refresh();
+  });
+  return field;
+}
+
+QComboBox* make_navigation_field(MainWindow& window, QLabel* sentence, QWidget* parent) {
+  auto* field = new QComboBox(parent);
+  field->setObjectName("navigation");
+  for (const NavigationChoice& choice : navigation_choices()) field->addItem(choice.title, choice.name);
+  const auto describe = [sentence](int choice) {
+    sentence->setText(navigation_choices()[static_cast<std::size_t>(choice)].sentence);
+  };
+  field->setCurrentIndex(kept_navigation());
+  describe(field->currentIndex());
+  QObject::connect(field, &QComboBox::currentIndexChanged, &window, [&window, field, describe](int choice) {
+    QSettings().setValue(navigation_key, field->itemData(choice));
+    navigate_as(window, choice);
+    describe(choice);
+  });
+  return field;
+}
+
+QComboBox* make_preset_field(KeyEditor* editor, QWidget* parent) {
+  auto* field = new QComboBox(parent);
+  field->setObjectName("key-preset");
+  for (const auto& [name, title] : key_presets()) field->addItem(title, name);
+  field->setCurrentIndex(field->findData(editor->preset()));
+  QObject::connect(field, &QComboBox::currentIndexChanged, editor,
+                   [editor, field] { editor->set_preset(field->currentData().toString()); });
+  return field;
+}
+
+}  // namespace
+
+void apply_preferences(MainWindow& window) {
+  apply_keys(kept_keys(), window.actions());
+  navigate_as(window, kept_navigation());
+}
+
+void show_preferences(MainWindow& window) {
+  delete window.findChild<QDialog*>("preferences");
+  auto* dialog = new QDialog(&window);
+  dialog->setObjectName("preferences");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(preference_text("Preferences"));
+  dialog->resize(dialog_size.boundedTo(window.size()));
+  auto* editor = new KeyEditor(window, dialog);
+  auto* sentence = new QLabel(dialog);
+  auto* search = new QLineEdit(dialog);
+  search->setObjectName("search");
+  search->setPlaceholderText(preference_text("Search commands and keys"));
+  search->setAccessibleName(search->placeholderText());
+  search->setClearButtonEnabled(true);
+  QObject::connect(search, &QLineEdit::textChanged, editor, [editor](const QString& typed) { editor->filter(typed); });
+  auto* form = new QFormLayout(dialog);
+  form->addRow(preference_text("&Language"), make_language_field(window, dialog));
+  form->addRow(preference_text("&Navigation as in"), make_navigation_field(window, sentence, dialog));
+  form->addRow(QString(), sentence);
+  form->addRow(preference_text("&Keys as in"), make_preset_field(editor, dialog));
+  form->addRow(search);
+  form->addRow(editor);
+  dialog->open();
+}
+
+}  // namespace croquis::app
