@@ -1456,6 +1456,14 @@
         <translation>투시 드로잉</translation>
     </message>
     <message>
+        <source>A4 landscape</source>
+        <translation>A4 가로</translation>
+    </message>
+    <message>
+        <source>A4 portrait</source>
+        <translation>A4 세로</translation>
+    </message>
+    <message>
         <source>No camera yet: draw two lines along each axis</source>
         <translation>아직 카메라가 없습니다. 각 축을 따라 선을 두 개씩 그리세요</translation>
     </message>

@@ -10,6 +10,8 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -17,6 +19,7 @@
 #include "app/hole_scans.h"
 #include "app/panels/attribute_panel.h"
 #include "app/window/command_palette.h"
+#include "app/window/help_pages.h"
 #include "app/window/language.h"
 
 using namespace croquis;
@@ -88,6 +91,16 @@ TEST_CASE("the language changes while the window is open, there and back", "[lan
   }
   if (qEnvironmentVariableIsSet("CROQUIS_PICTURES"))
     hand.window().grab().save(qEnvironmentVariable("CROQUIS_PICTURES") + "/window-ko.png");
+  // The manual opens at the tool in hand.
+  const QStringList korean = app::manual_headings();
+  hand.act("edge-mode");
+  hand.act("help");
+  const auto* manual = hand.window().findChild<QDialog*>("manual");
+  REQUIRE(manual != nullptr);
+  const QString opened = manual->findChild<QTextBrowser*>()->textCursor().block().text();
+  CHECK(is_korean(opened));
+  CHECK(korean.contains(opened));
+  delete manual;
   // Commands are found by either name.
   const auto commands = app::all_commands(hand.window());
   for (const char* typed : {"loop cut", "루프 컷"}) {
@@ -96,6 +109,9 @@ TEST_CASE("the language changes while the window is open, there and back", "[lan
     CHECK(commands[found.front()].text == "루프 컷");
   }
   speaking.choose("en");
+  const QStringList sections = app::manual_headings();
+  CHECK(sections.size() == korean.size());
+  CHECK(sections.indexOf("Meshes") == korean.indexOf(opened));
   for (const auto& [object, text] : standing_texts(hand)) CHECK(text.toStdString() == english.at(object).toStdString());
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "croquis/base/index_list.h"
 #include "croquis/base/text.h"
 
 namespace croquis {
@@ -47,6 +51,32 @@ TEST_CASE("only a text that is a number as a whole is read") {
   CHECK(read_number("-12", integer));
   CHECK(integer == -12);
   for (const char* text : {"1.5", "99999999999999999999", "0x10"}) CHECK_FALSE(read_number(text, integer));
+}
+
+TEST_CASE("numbers of elements are written as ranges, and read again") {
+  const std::vector<std::pair<std::vector<std::uint32_t>, const char*>> lists{{{}, ""},
+                                                                              {{7}, "7"},
+                                                                              {{3, 4}, "3-4"},
+                                                                              {{5, 6, 7, 2}, "5-7,2"},
+                                                                              {{0, 2, 3, 4, 9}, "0,2-4,9"},
+                                                                              {{2, 2, 1}, "2,2,1"}};
+  for (const auto& [numbers, text] : lists) {
+    CHECK(index_list_text(numbers, ',') == text);
+    std::vector<std::uint32_t> read;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(','), rest.size());
+      CHECK(append_indices(rest.substr(0, end), read));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    CHECK(read == numbers);
+  }
+  std::vector<std::uint32_t> none;
+  for (const char* wrong : {"", "-", "3-", "-3", "5-4", "a", "1-2-3", "0-10000000"})
+    CHECK_FALSE(append_indices(wrong, none));
+  CHECK(none.empty());
+  CHECK(append_indices("1-10000000", none));
+  CHECK(none.size() == 10000000);
 }
 
 TEST_CASE("one is counted in the singular, none and more in the plural") {

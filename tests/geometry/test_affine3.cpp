@@ -96,10 +96,14 @@ TEST_CASE("normals stay at right angles to their faces, and corner and edge valu
     sums.push_back(topology.edge_vertices(e)[0] + 1000 * topology.edge_vertices(e)[1] + topology.edge_vertices(e)[1] +
                    1000 * topology.edge_vertices(e)[0]);
   mesh.channels.push_back({"ends", Domain::Edge, 1, sums, {}});
+  // Numbers of that name that are no directions stay.
+  const std::vector<double> pairs(2 * mesh.vertex_count(), 0.5);
+  mesh.channels.push_back({"normal", Domain::Vertex, 2, pairs, {}});
   for (int i = 0; i < 10; ++i) {
     const Affine3 map = i % 2 == 0 ? random_map(random) : composed(random_map(random), mirror());
     const PolyMesh moved = transformed(mesh, map);
     CHECK(validate(moved).empty());
+    CHECK(std::get<std::vector<double>>(moved.channel("normal", Domain::Vertex)->data) == pairs);
     const auto& turned = std::get<std::vector<double>>(moved.channel("normal", Domain::Face)->data);
     for (std::size_t f = 0; f < moved.face_count(); ++f) {
       const Vec3 normal(turned[3 * f], turned[3 * f + 1], turned[3 * f + 2]);

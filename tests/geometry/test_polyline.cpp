@@ -57,6 +57,17 @@ TEST_CASE("length adds up segments and closes closed lines") {
   CHECK(length(circle(10000), true) == Approx(2 * std::numbers::pi));
 }
 
+TEST_CASE("a corner that is cut off in steps is one where lines are compared over a reach") {
+  Points rounded;
+  for (int side = 0; side < 4; ++side) {
+    const double angle = side * std::numbers::pi / 2;
+    const Vec2 along(std::cos(angle), std::sin(angle)), start = -along + Vec2(along.y(), -along.x());
+    for (int k = 1; k < 20; ++k) rounded.push_back(start + 0.1 * k * along);
+  }
+  CHECK(corners_of(rounded, true, 0.1, std::numbers::pi / 3).empty());
+  CHECK(corners_of(rounded, true, 0.5, std::numbers::pi / 3).size() == 4);
+}
+
 TEST_CASE("smoothing keeps the size of a circle and removes its noise") {
   Random random(5);
   Points noisy = circle(200);

@@ -16,6 +16,7 @@
 
 #include "app/views/viewport.h"
 #include "app/window/command_palette.h"
+#include "app/window/language.h"
 #include "app/window/main_window.h"
 
 namespace croquis::app {
@@ -47,9 +48,19 @@ QString without_links(QString text) {
   return text.replace(link, QStringLiteral("\\1"));
 }
 
-QString manual_text() {
-  QFile manual(QStringLiteral(":/docs/studio.md"));
+/// @param folder of a language, "ko/"; empty for English
+QString manual_text(const QString& folder) {
+  QFile manual(QStringLiteral(":/docs/%1studio.md").arg(folder));
   return manual.open(QIODevice::ReadOnly) ? without_links(QString::fromUtf8(manual.readAll())) : QString();
+}
+
+QString language_folder() { return kept_language() == "en" ? QString() : kept_language() + '/'; }
+
+QStringList headings_of(const QString& text) {
+  static const QRegularExpression heading(QStringLiteral("^#{2,3} +(.+)$"), QRegularExpression::MultilineOption);
+  QStringList found;
+  for (const auto& each : heading.globalMatch(text)) found << each.captured(1);
+  return found;
 }
 
 /// What somebody who helps asks for first. No names, no shapes.
@@ -80,19 +91,17 @@ QString diagnostics(MainWindow& window) {
 
 }  // namespace
 
-QStringList manual_headings() {
-  static const QRegularExpression heading(QStringLiteral("^#{2,3} +(.+)$"), QRegularExpression::MultilineOption);
-  QStringList found;
-  for (const auto& each : heading.globalMatch(manual_text())) found << each.captured(1);
-  return found;
-}
+QStringList manual_headings() { return headings_of(manual_text(language_folder())); }
 
 void show_manual(QWidget& parent, const QString& heading) {
   QTextBrowser* text = open_page(parent, "manual", help_words("Help"));
-  text->setMarkdown(manual_text());
+  text->setMarkdown(manual_text(language_folder()));
+  // Tools know the English headings; other languages have theirs in the same order.
+  const auto place = headings_of(manual_text({})).indexOf(heading);
+  const QString own = manual_headings().value(place, heading);
   text->window()->show();
   for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
-    if (block.blockFormat().headingLevel() == 0 || block.text() != heading) continue;
+    if (block.blockFormat().headingLevel() == 0 || block.text() != own) continue;
     text->setTextCursor(QTextCursor(block));
     text->verticalScrollBar()->setValue(text->verticalScrollBar()->value() + text->cursorRect().top());
   }

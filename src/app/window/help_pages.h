@@ -12,10 +12,10 @@ namespace croquis::app {
 class MainWindow;
 
 /// Opens the manual of the studio in a window of its own, at the heading of that name.
-/// @param heading empty, or one that the manual lacks: at its beginning
+/// @param heading in English or the language in use; empty, or one that the manual lacks: at its beginning
 void show_manual(QWidget& parent, const QString& heading);
 
-/// The headings of the manual's sections.
+/// The headings of the manual's sections, in the language in use.
 QStringList manual_headings();
 
 /// What an action's key is: its shortcuts, or what its text names behind a tab or its tooltip in brackets at the end;

@@ -86,9 +86,9 @@ std::optional<Triangles> avoiding_triangulation(const HoleSite& site, Progress& 
 std::optional<Triangles> least_folding_triangulation(const HoleSite& site, Progress& progress);
 
 /// Whether a patch rises farther than half the diameter of its widest rim, and 1.3 times as far as the one that
-/// smooth_patch makes, or as the rims themselves. Where that one folds back at its rim there is nothing to compare with:
-/// then no patch does. Bands and patches with places or a bulge to follow never do: what
-/// they are is wanted. Linear, unless it rises so far: then that other patch is made.
+/// smooth_patch makes, or as the rims themselves. Where that one folds back at its rim there is nothing to compare
+/// with: then no patch does. Bands and patches with places or a bulge to follow never do: what they are is wanted.
+/// Linear, unless it rises so far: then that other patch is made.
 bool rises_too_far(const HoleSite& site, const HolePatch& patch, Progress& progress);
 
 /// Whether one band is wanted between two rims: they are to be bridged, or are a tunnel's.
