@@ -31,7 +31,7 @@ KeysByAction keys_in(const QJsonObject& object, const QString& file) {
   for (auto each = object.begin(); each != object.end(); ++each) {
     if (!each.value().isArray()) refuse(file, hotkey_text("\"%1\" has no list of keys").arg(each.key()));
     QList<QKeySequence>& list = keys[each.key()];
-    for (const QJsonValue& text : each.value().toArray()) {
+    for (const QJsonValue text : each.value().toArray()) {
       const QKeySequence key = QKeySequence::fromString(text.toString(), QKeySequence::PortableText);
       if (key.isEmpty() || key[0].key() == Qt::Key_unknown)
         refuse(file, hotkey_text("\"%1\" of \"%2\" is no key").arg(text.toString(), each.key()));

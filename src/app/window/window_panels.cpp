@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstring>
-#include <ranges>
 #include <utility>
 
 #include "app/files/mesh_export.h"
@@ -177,9 +176,8 @@ void choose_nodes(MainWindow& window, const std::vector<NodeId>& nodes) {
 
 /// The tools with few modes of their own come last in the list: their turn is first.
 void show_in_tools(MainWindow& window, const Target& target) {
-  for (const auto& tool : window.tools() | std::views::reverse) {
-    if (tool->show(target)) return;
-  }
+  const auto& tools = window.tools();
+  std::any_of(tools.rbegin(), tools.rend(), [&](const auto& tool) { return tool->show(target); });
 }
 
 void choose_step(MainWindow& window, NodeId step) {
