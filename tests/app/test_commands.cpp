@@ -277,6 +277,13 @@ TEST_CASE("keys are changed in the preferences, work at once, and are kept", "[c
     dialog->grab().save(qEnvironmentVariable("CROQUIS_PICTURES") + "/preferences.png");
   QTest::mouseClick(dialog->findChild<QPushButton*>("set-key"), Qt::LeftButton);
   CHECK(hand.window().action("loop-cut")->shortcut() == QKeySequence("Ctrl+Alt+L"));
+  // An empty field takes the key away.
+  select_row(*list, "Edge ring");
+  field->clear();
+  QTest::mouseClick(dialog->findChild<QPushButton*>("set-key"), Qt::LeftButton);
+  CHECK(hand.window().action("select-ring")->shortcuts().isEmpty());
+  QTest::mouseClick(dialog->findChild<QPushButton*>("reset-key"), Qt::LeftButton);
+  CHECK(hand.window().action("select-ring")->shortcut() == QKeySequence("Shift+R"));
   auto* preset = dialog->findChild<QComboBox*>("key-preset");
   preset->setCurrentIndex(preset->findData("blender"));
   CHECK(hand.window().action("move")->shortcut() == QKeySequence("G"));

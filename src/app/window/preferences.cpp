@@ -88,7 +88,7 @@ class KeyEditor : public QWidget {
       connect(button, &QPushButton::clicked, this, work);
       row->addWidget(button);
     };
-    add_button(preference_text("&Set"), "set-key", [this] { set({field_->keySequence()[0]}); });
+    add_button(preference_text("&Set"), "set-key", [this] { set(chosen_keys()); });
     add_button(preference_text("&Remove"), "remove-key", [this] { set({}); });
     add_button(preference_text("As in the &preset"), "reset-key", [this] { reset(); });
     add_button(preference_text("&Export…"), "export-keys", [this] { ask_export(); });
@@ -153,12 +153,18 @@ class KeyEditor : public QWidget {
     show_clash();
   }
 
+  /// Of a sequence that people typed the first key counts.
+  QList<QKeySequence> chosen_keys() const {
+    const QKeySequence typed = field_->keySequence();
+    return typed.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(typed[0])};
+  }
+
   /// Who else has the key in the field.
   void show_clash() {
     const QAction* action = selected();
     QStringList others;
-    if (action != nullptr && !field_->keySequence().isEmpty()) {
-      for (const QAction* other : actions_with_keys({field_->keySequence()[0]}, *action, window_.actions()))
+    if (action != nullptr) {
+      for (const QAction* other : actions_with_keys(chosen_keys(), *action, window_.actions()))
         others << QStringLiteral("%1 (%2)").arg(plain_text(*other), menu_place(*other));
     }
     clash_->setText(others.isEmpty() ? QString()
