@@ -100,7 +100,8 @@ TEST_CASE("percentages are of the viewBox around, radii of its diagonal") {
   const double radius = 0.1 * std::sqrt((200.0 * 200 + 100 * 100) / 2);
   CHECK(drawing.strokes.at(1).samples.front().position.x() == Approx(100 + radius));
   check_ends(drawing.strokes.at(2), {0, 0}, {50, 50});
-  CHECK(codes_of(svg("<line x2=\"10%\"/>", "")).front() == "E_SYNTAX");
+  for (const char* none : {"", "viewBox=\"0 0 200 0\"", "viewBox=\"0 0 0 100\"", "viewBox=\"0 0 200 -1\""})
+    CHECK(codes_of(svg("<line x2=\"10%\"/>", none)).front() == "E_SYNTAX");
   CHECK(codes_of(svg("<line x2=\"10%%\"/>")).front() == "E_SYNTAX");
 }
 

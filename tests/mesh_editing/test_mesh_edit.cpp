@@ -378,6 +378,32 @@ TEST_CASE("dissolving the loop that a cut made gives the mesh back") {
   }
 }
 
+TEST_CASE("an inset leaves each edge by its width, whatever the corners' angles are") {
+  Eigen::Affine3d leaning = Eigen::Affine3d::Identity();
+  leaning.linear() << 1, 0.7, 0.2, 0, 1, 0.4, 0, 0, 1;
+  for (const PolyMesh& mesh : {test::cube(), test::tetrahedron(), test::transformed(test::cube(), leaning)}) {
+    const MeshTopology topology(mesh);
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+      const Elements one{face};
+      constexpr double width = 0.05;
+      const MeshEdit edit = inset_faces(mesh, topology, one, width);
+      check_sound(edit.mesh);
+      CHECK(volume(edit.mesh) == Approx(volume(mesh)));
+      REQUIRE(edit.moved_faces.size() == 1);
+      const auto outer = mesh.face(face), inner = edit.mesh.face(edit.moved_faces.front());
+      REQUIRE(inner.size() == outer.size());
+      for (std::size_t i = 0; i < outer.size(); ++i) {
+        const Vec3& start = mesh.positions[outer[i]];
+        const Vec3 along = (mesh.positions[outer[(i + 1) % outer.size()]] - start).normalized();
+        for (const std::size_t end : {i, (i + 1) % outer.size()}) {
+          const Vec3 off = edit.mesh.positions[inner[end]] - start;
+          CHECK((off - off.dot(along) * along).norm() == Approx(width));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("dissolving an inner vertex leaves one polygon around it; on a rim the corner is cut off") {
   const PolyMesh mesh = test::grid(2, 2);
   const MeshTopology topology(mesh);

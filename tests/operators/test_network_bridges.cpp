@@ -107,8 +107,11 @@ TEST_CASE("holes to patch are chosen by number or by a vertex of their rim") {
   CHECK(boundary_loops({{"vertex", rim_vertex}}) == 1);
   for (const ParameterValues& wrong :
        {ParameterValues{{"only", std::string("7")}}, ParameterValues{{"vertex", std::int64_t{99999}}},
-        ParameterValues{{"sides", std::int64_t{2}}}, ParameterValues{{"fullness", std::string("3")}}})
+        ParameterValues{{"sides", std::int64_t{2}}}, ParameterValues{{"fullness", std::string("2.1")}},
+        ParameterValues{{"fullness", std::string("-1.1")}}, ParameterValues{{"fullness", std::string("full")}}})
     CHECK_THROWS_AS(result_of(*surface_patch_operation(), mesh_input(sphere), wrong), Error);
+  for (const char* fullness : {"-1", "0.5", "2", "auto"})
+    CHECK(boundary_loops({{"fullness", std::string(fullness)}}) == 0);
 }
 
 TEST_CASE("subdivided cages of closed networks come near to the surface, the more segments the nearer") {
