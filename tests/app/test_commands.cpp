@@ -222,13 +222,13 @@ TEST_CASE("F3, a few letters and Enter do a command", "[commands]") {
   CHECK(static_cast<int>(hand.studio().session().undo_labels().size()) == steps);
 }
 
-TEST_CASE("no key does two things at once, with any preset and whatever is active", "[commands]") {
+TEST_CASE("no key does two things at once, with any preset and whatever is active", "[keys]") {
   Unattended hand;
-  for (const auto& [preset, title] : app::key_presets()) {
-    app::apply_keys({preset, {}}, hand.window().actions());
-    for (const State& state : states()) {
-      state.enter(hand);
-      hand.settle();
+  for (const State& state : states()) {
+    state.enter(hand);
+    hand.settle();
+    for (const auto& [preset, title] : app::key_presets()) {
+      app::apply_keys({preset, {}}, hand.window().actions());
       std::map<QKeySequence, QString> owners;
       for (const QAction* action : hand.window().actions()) {
         if (!action->isEnabled() || !action->isVisible()) continue;
@@ -243,7 +243,7 @@ TEST_CASE("no key does two things at once, with any preset and whatever is activ
   }
 }
 
-TEST_CASE("presets name commands that exist", "[commands]") {
+TEST_CASE("presets name commands that exist", "[keys]") {
   Unattended hand;
   for (const QString& file : QDir(":/keys").entryList()) {
     QFile preset(":/keys/" + file);
@@ -257,7 +257,7 @@ TEST_CASE("presets name commands that exist", "[commands]") {
   }
 }
 
-TEST_CASE("keys are changed in the preferences, work at once, and are kept", "[commands]") {
+TEST_CASE("keys are changed in the preferences, work at once, and are kept", "[keys]") {
   Unattended hand;
   hand.open_cage("mug");
   QDialog* dialog = preferences_of(hand);
@@ -302,7 +302,7 @@ TEST_CASE("keys are changed in the preferences, work at once, and are kept", "[c
   CHECK(hand.window().action("move")->shortcut() == QKeySequence("W"));
 }
 
-TEST_CASE("lists of keys are files; one that is none says what is wrong with it", "[commands]") {
+TEST_CASE("lists of keys are files; one that is none says what is wrong with it", "[keys]") {
   const app::KeyMap map{"cad", {{"move", {QKeySequence("Ctrl+M"), QKeySequence("F7")}}, {"erase", {}}}};
   CHECK(app::key_map_of(app::json_of(map), "keys.json") == map);
   const std::vector<std::pair<QByteArray, const char*>> wrong{
@@ -322,7 +322,7 @@ TEST_CASE("lists of keys are files; one that is none says what is wrong with it"
   }
 }
 
-TEST_CASE("the middle button rotates the view as people know it from Blender, once they say so", "[commands]") {
+TEST_CASE("the middle button rotates the view as people know it from Blender, once they say so", "[keys]") {
   Unattended hand;
   hand.open_cage("mug");
   hand.act("perspective-alone");
