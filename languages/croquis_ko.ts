@@ -64,11 +64,11 @@
         <translation>%1의 선을 획으로 추출할까요, 아니면 드로잉 뒤에 놓을까요?</translation>
     </message>
     <message>
-        <source>&amp;Trace lines</source>
+        <source>Trace lines</source>
         <translation>선 추출</translation>
     </message>
     <message>
-        <source>&amp;Backdrop</source>
+        <source>Backdrop</source>
         <translation>배경으로 놓기</translation>
     </message>
     <message>
@@ -264,20 +264,16 @@
         <translation>버리기</translation>
     </message>
     <message>
-        <source>P&amp;icture behind the drawing</source>
+        <source>Picture behind the drawing</source>
         <translation>드로잉 뒤의 밑그림 이미지</translation>
     </message>
     <message>
-        <source>&amp;Open a picture…</source>
+        <source>Open a picture…</source>
         <translation>이미지 열기…</translation>
     </message>
     <message>
         <source>Replace…</source>
         <translation>바꾸기…</translation>
-    </message>
-    <message>
-        <source>&amp;Show</source>
-        <translation>표시</translation>
     </message>
     <message>
         <source>Show</source>
@@ -288,7 +284,7 @@
         <translation>밑그림 이미지 표시</translation>
     </message>
     <message>
-        <source>&amp;Fit to the sheet or the strokes</source>
+        <source>Fit to the sheet or the strokes</source>
         <translation>용지 또는 획에 맞추기</translation>
     </message>
     <message>
@@ -296,16 +292,12 @@
         <translation>맞추기</translation>
     </message>
     <message>
-        <source>&amp;Move and scale</source>
+        <source>Move and scale</source>
         <translation>이동 및 크기 조절</translation>
     </message>
     <message>
         <source>Move</source>
         <translation>이동</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>제거</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -352,7 +344,7 @@
         <translation>선택된 구멍이 없습니다. 목록이나 뷰에서 구멍을 클릭하세요</translation>
     </message>
     <message>
-        <source>&amp;Fill selected</source>
+        <source>Fill selected</source>
         <translation>선택한 구멍 메우기</translation>
     </message>
     <message>
@@ -360,7 +352,7 @@
         <translation>Enter</translation>
     </message>
     <message>
-        <source>&amp;Reopen selected</source>
+        <source>Reopen selected</source>
         <translation>선택한 구멍 다시 열기</translation>
     </message>
     <message>
@@ -368,19 +360,19 @@
         <translation>Del</translation>
     </message>
     <message>
-        <source>&amp;Bridge selected rims</source>
+        <source>Bridge selected rims</source>
         <translation>선택한 구멍 가장자리 브리지</translation>
     </message>
     <message>
-        <source>Fill all &amp;inner</source>
-        <translation>내부 구멍 모두 메우기</translation>
+        <source>Fill all inner</source>
+        <translation>내부 모두 메우기</translation>
     </message>
     <message>
-        <source>Fill all but the &amp;largest</source>
+        <source>Fill all but the largest</source>
         <translation>가장 큰 구멍만 빼고 모두 메우기</translation>
     </message>
     <message>
-        <source>Fill &amp;all, borders too</source>
+        <source>Fill all, borders too</source>
         <translation>경계까지 모두 메우기</translation>
     </message>
     <message>
@@ -388,23 +380,23 @@
         <translation>모두 다시 열기</translation>
     </message>
     <message>
-        <source>&amp;Clear handles of patches</source>
+        <source>Clear handles of patches</source>
         <translation>패치 핸들 지우기</translation>
     </message>
     <message>
-        <source>Method: &amp;automatic</source>
+        <source>Method: automatic</source>
         <translation>방법: 자동</translation>
     </message>
     <message>
-        <source>Method: &amp;continue the surface</source>
+        <source>Method: continue the surface</source>
         <translation>방법: 서피스 이어 가기</translation>
     </message>
     <message>
-        <source>Method: continue its &amp;slope</source>
+        <source>Method: continue its slope</source>
         <translation>방법: 기울기 이어 가기</translation>
     </message>
     <message>
-        <source>Method: fla&amp;t</source>
+        <source>Method: flat</source>
         <translation>방법: 평평하게</translation>
     </message>
     <message>
@@ -460,7 +452,7 @@
         <translation>클릭하면 이 페이스를 선택합니다. F: 맞춰 보기</translation>
     </message>
     <message>
-        <source>Fill &amp;holes</source>
+        <source>Fill holes</source>
         <translation>구멍 메우기</translation>
     </message>
     <message>
@@ -468,7 +460,7 @@
         <translation>스캔의 구멍: 목록, 미리 보기, 메우기 (O)</translation>
     </message>
     <message>
-        <source>Patches by c&amp;onfidence</source>
+        <source>Patches by confidence</source>
         <translation>신뢰도별 패치 색상</translation>
     </message>
     <message>
@@ -530,10 +522,6 @@
     <message>
         <source>Frame</source>
         <translation>맞춰 보기</translation>
-    </message>
-    <message>
-        <source>Fill all inner</source>
-        <translation>내부 모두 메우기</translation>
     </message>
     <message>
         <source>All but largest</source>
@@ -920,11 +908,11 @@
         <translation>, 그 외 정상: </translation>
     </message>
     <message>
-        <source>M&amp;easure</source>
+        <source>Measure</source>
         <translation>측정</translation>
     </message>
     <message>
-        <source>&amp;Copy measurement</source>
+        <source>Copy measurement</source>
         <translation>측정값 복사</translation>
     </message>
     <message>
@@ -960,63 +948,63 @@
         <translation>선택을 페이스로 변환</translation>
     </message>
     <message>
-        <source>&amp;Grow</source>
+        <source>Grow</source>
         <translation>선택 확장</translation>
     </message>
     <message>
-        <source>S&amp;hrink</source>
+        <source>Shrink</source>
         <translation>선택 축소</translation>
     </message>
     <message>
-        <source>&amp;Invert</source>
+        <source>Invert</source>
         <translation>선택 반전</translation>
     </message>
     <message>
-        <source>Edge &amp;loop</source>
+        <source>Edge loop</source>
         <translation>에지 루프</translation>
     </message>
     <message>
-        <source>Edge &amp;ring</source>
+        <source>Edge ring</source>
         <translation>에지 링</translation>
     </message>
     <message>
-        <source>&amp;Shortest path between two</source>
+        <source>Shortest path between two</source>
         <translation>둘 사이의 최단 경로</translation>
     </message>
     <message>
-        <source>All that is &amp;connected</source>
+        <source>All that is connected</source>
         <translation>연결된 모든 요소</translation>
     </message>
     <message>
-        <source>C&amp;hain of sharp edges</source>
+        <source>Chain of sharp edges</source>
         <translation>날카로운 에지 체인</translation>
     </message>
     <message>
-        <source>All sharp &amp;edges</source>
+        <source>All sharp edges</source>
         <translation>모든 날카로운 에지</translation>
     </message>
     <message>
-        <source>&amp;Boundary</source>
+        <source>Boundary</source>
         <translation>경계</translation>
     </message>
     <message>
-        <source>S&amp;harp</source>
+        <source>Sharp</source>
         <translation>날카롭게</translation>
     </message>
     <message>
-        <source>S&amp;mooth</source>
-        <translation>매끄럽게</translation>
+        <source>Smooth</source>
+        <translation>스무스</translation>
     </message>
     <message>
-        <source>&amp;Pin</source>
+        <source>Pin</source>
         <translation>고정</translation>
     </message>
     <message>
-        <source>&amp;Unpin</source>
+        <source>Unpin</source>
         <translation>고정 해제</translation>
     </message>
     <message>
-        <source>Sharp &amp;boundary</source>
+        <source>Sharp boundary</source>
         <translation>경계를 날카롭게</translation>
     </message>
     <message>
@@ -1028,51 +1016,35 @@
         <translation>0.5만큼 더 부드럽게</translation>
     </message>
     <message>
-        <source>Crease &amp;set of the selection</source>
+        <source>Crease set of the selection</source>
         <translation>선택 항목의 크리스 세트</translation>
     </message>
     <message>
-        <source>Mo&amp;ve</source>
-        <translation>이동</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
+        <source>Rotate</source>
         <translation>회전</translation>
     </message>
     <message>
-        <source>S&amp;cale</source>
-        <translation>스케일</translation>
-    </message>
-    <message>
-        <source>C&amp;hange sharpness</source>
+        <source>Change sharpness</source>
         <translation>날카로움 변경</translation>
     </message>
     <message>
-        <source>&amp;Objects</source>
-        <translation>오브젝트</translation>
-    </message>
-    <message>
-        <source>&amp;Vertices</source>
+        <source>Vertices</source>
         <translation>정점</translation>
     </message>
     <message>
-        <source>&amp;Edges</source>
-        <translation>에지</translation>
-    </message>
-    <message>
-        <source>&amp;Faces</source>
+        <source>Faces</source>
         <translation>페이스</translation>
     </message>
     <message>
-        <source>Select t&amp;hrough</source>
+        <source>Select through</source>
         <translation>뒤쪽까지 선택</translation>
     </message>
     <message>
-        <source>E&amp;xtrude faces</source>
+        <source>Extrude faces</source>
         <translation>페이스 돌출</translation>
     </message>
     <message>
-        <source>&amp;Loop cut</source>
+        <source>Loop cut</source>
         <translation>루프 컷</translation>
     </message>
     <message>
@@ -1088,7 +1060,7 @@
         <translation>메쉬</translation>
     </message>
     <message>
-        <source>Scale t&amp;o the scene</source>
+        <source>Scale to the scene</source>
         <translation>씬에 맞춰 크기 조절</translation>
     </message>
     <message>
@@ -1172,10 +1144,6 @@
         <translation>선택할 에지의 최소 각도</translation>
     </message>
     <message>
-        <source>Sharp</source>
-        <translation>날카롭게</translation>
-    </message>
-    <message>
         <source>Makes all edges sharp whose faces meet at a greater angle</source>
         <translation>페이스가 이보다 큰 각도로 만나는 모든 에지를 날카롭게 합니다</translation>
     </message>
@@ -1252,7 +1220,7 @@
         <translation>자동</translation>
     </message>
     <message>
-        <source>&amp;Construction lines</source>
+        <source>Construction lines</source>
         <translation>보조선</translation>
     </message>
     <message>
@@ -1260,59 +1228,59 @@
         <translation>보조선</translation>
     </message>
     <message>
-        <source>&amp;Hidden edge</source>
+        <source>Hidden edge</source>
         <translation>숨은 에지</translation>
     </message>
     <message>
-        <source>&amp;Link pieces by a construction line</source>
+        <source>Link pieces by a construction line</source>
         <translation>보조선으로 조각 연결</translation>
     </message>
     <message>
-        <source>Ends go on &amp;smoothly</source>
+        <source>Ends go on smoothly</source>
         <translation>끝을 매끄럽게 잇기</translation>
     </message>
     <message>
-        <source>Ends are &amp;corners</source>
+        <source>Ends are corners</source>
         <translation>끝을 모서리로</translation>
     </message>
     <message>
-        <source>Ends as they are &amp;drawn</source>
+        <source>Ends as they are drawn</source>
         <translation>끝을 그린 대로</translation>
     </message>
     <message>
-        <source>Sharp ed&amp;ge between faces</source>
+        <source>Sharp edge between faces</source>
         <translation>페이스 사이의 날카로운 에지</translation>
     </message>
     <message>
-        <source>&amp;Known point: click it and type its coordinates</source>
+        <source>Known point: click it and type its coordinates</source>
         <translation>알려진 점: 클릭하고 좌표 입력</translation>
     </message>
     <message>
-        <source>Kno&amp;wn length of a stroke</source>
+        <source>Known length of a stroke</source>
         <translation>획의 알려진 길이</translation>
     </message>
     <message>
-        <source>&amp;Add the face between the selected strokes</source>
+        <source>Add the face between the selected strokes</source>
         <translation>선택한 획 사이에 페이스 추가</translation>
     </message>
     <message>
-        <source>&amp;No face between the selected strokes</source>
+        <source>No face between the selected strokes</source>
         <translation>선택한 획 사이에 페이스 없음</translation>
     </message>
     <message>
-        <source>Make the first proposed &amp;fix</source>
+        <source>Make the first proposed fix</source>
         <translation>첫 번째 수정 제안 적용</translation>
     </message>
     <message>
-        <source>Complete by &amp;mirror</source>
+        <source>Complete by mirror</source>
         <translation>미러로 완성</translation>
     </message>
     <message>
-        <source>New &amp;perspective drawing</source>
+        <source>New perspective drawing</source>
         <translation>새 투시 드로잉</translation>
     </message>
     <message>
-        <source>&amp;Look through the drawing</source>
+        <source>Look through the drawing</source>
         <translation>드로잉 시점으로 보기</translation>
     </message>
     <message>
@@ -1608,35 +1576,31 @@
         <translation>획 %1개</translation>
     </message>
     <message>
-        <source>&amp;Sketch</source>
-        <translation>스케치</translation>
-    </message>
-    <message>
-        <source>Seen from the &amp;front</source>
+        <source>Seen from the front</source>
         <translation>정면에서 본 모습</translation>
     </message>
     <message>
-        <source>Seen from the &amp;top</source>
+        <source>Seen from the top</source>
         <translation>위에서 본 모습</translation>
     </message>
     <message>
-        <source>Seen from the &amp;side</source>
+        <source>Seen from the side</source>
         <translation>측면에서 본 모습</translation>
     </message>
     <message>
-        <source>&amp;Draw</source>
+        <source>Draw</source>
         <translation>그리기</translation>
     </message>
     <message>
-        <source>&amp;Erase</source>
+        <source>Erase</source>
         <translation>지우기</translation>
     </message>
     <message>
-        <source>Select and res&amp;hape</source>
+        <source>Select and reshape</source>
         <translation>선택 및 모양 변경</translation>
     </message>
     <message>
-        <source>&amp;Join limbs</source>
+        <source>Join limbs</source>
         <translation>팔다리 결합</translation>
     </message>
     <message>
@@ -1820,35 +1784,35 @@
         <translation>고정 1개</translation>
     </message>
     <message>
-        <source>Su&amp;bdivision</source>
+        <source>Subdivision</source>
         <translation>서브디비전</translation>
     </message>
     <message>
-        <source>&amp;Cage</source>
+        <source>Cage</source>
         <translation>케이지</translation>
     </message>
     <message>
-        <source>Cage and smooth &amp;surface</source>
+        <source>Cage and smooth surface</source>
         <translation>케이지와 스무스 서피스</translation>
     </message>
     <message>
-        <source>&amp;Smooth surface</source>
+        <source>Smooth surface</source>
         <translation>스무스 서피스</translation>
     </message>
     <message>
-        <source>&amp;Finer</source>
+        <source>Finer</source>
         <translation>더 세밀하게</translation>
     </message>
     <message>
-        <source>C&amp;oarser</source>
+        <source>Coarser</source>
         <translation>더 거칠게</translation>
     </message>
     <message>
-        <source>Sc&amp;heme</source>
+        <source>Scheme</source>
         <translation>세분화 방식</translation>
     </message>
     <message>
-        <source>Compare &amp;with</source>
+        <source>Compare with</source>
         <translation>비교 대상</translation>
     </message>
     <message>
@@ -1856,15 +1820,15 @@
         <translation>다른 방식과 나란히 보기</translation>
     </message>
     <message>
-        <source>&amp;Keep the shape of the selected faces</source>
+        <source>Keep the shape of the selected faces</source>
         <translation>선택한 페이스의 모양 유지</translation>
     </message>
     <message>
-        <source>Keep their &amp;outline</source>
+        <source>Keep their outline</source>
         <translation>윤곽선 유지</translation>
     </message>
     <message>
-        <source>&amp;Mesh from what is shown</source>
+        <source>Mesh from what is shown</source>
         <translation>표시된 형태로 메쉬 만들기</translation>
     </message>
     <message>
@@ -1904,11 +1868,11 @@
         <translation>%1의 함몰: 어긋남 %2 (균일 %3), 길이가 너비의 %4배 (균일 %5)</translation>
     </message>
     <message>
-        <source>Mirror &amp;across %1 = 0</source>
+        <source>Mirror across %1 = 0</source>
         <translation>%1 = 0 기준 미러</translation>
     </message>
     <message>
-        <source>&amp;Patch of the selected curves, or of the closed loop</source>
+        <source>Patch of the selected curves, or of the closed loop</source>
         <translation>선택한 커브 또는 닫힌 루프로 패치 만들기</translation>
     </message>
     <message>
@@ -1916,15 +1880,11 @@
         <translation>패치</translation>
     </message>
     <message>
-        <source>&amp;Smooth, or crease again</source>
+        <source>Smooth, or crease again</source>
         <translation>스무스/크리스 전환</translation>
     </message>
     <message>
-        <source>Smooth</source>
-        <translation>스무스</translation>
-    </message>
-    <message>
-        <source>S&amp;plit the selected curve, or the patch that it divides</source>
+        <source>Split the selected curve, or the patch that it divides</source>
         <translation>선택한 커브 또는 커브가 나누는 패치 분할</translation>
     </message>
     <message>
@@ -1932,11 +1892,11 @@
         <translation>분할</translation>
     </message>
     <message>
-        <source>&amp;Merge the two patches beside the selected curve</source>
+        <source>Merge the two patches beside the selected curve</source>
         <translation>선택한 커브 양옆의 두 패치 병합</translation>
     </message>
     <message>
-        <source>&amp;Turn the selected patches round</source>
+        <source>Turn the selected patches round</source>
         <translation>선택한 패치 뒤집기</translation>
     </message>
     <message>
@@ -1944,7 +1904,7 @@
         <translation>뒤집기</translation>
     </message>
     <message>
-        <source>Slopes along the selected curve &amp;automatic</source>
+        <source>Slopes along the selected curve automatic</source>
         <translation>선택한 커브의 기울기 자동 설정</translation>
     </message>
     <message>
@@ -1952,7 +1912,7 @@
         <translation>미러</translation>
     </message>
     <message>
-        <source>S&amp;ymmetric editing</source>
+        <source>Symmetric editing</source>
         <translation>대칭 편집</translation>
     </message>
     <message>
@@ -1960,15 +1920,11 @@
         <translation>대칭</translation>
     </message>
     <message>
-        <source>&amp;Patch</source>
-        <translation>패치</translation>
-    </message>
-    <message>
         <source>A click inside a loop of curves makes a patch (P)</source>
         <translation>커브 루프 안쪽을 클릭하면 패치가 만들어집니다 (P)</translation>
     </message>
     <message>
-        <source>P&amp;oint on a patch</source>
+        <source>Point on a patch</source>
         <translation>패치 위의 점</translation>
     </message>
     <message>
@@ -1976,7 +1932,7 @@
         <translation>패치를 클릭하고 드래그하면 당겨집니다 (T)</translation>
     </message>
     <message>
-        <source>&amp;Inner curve</source>
+        <source>Inner curve</source>
         <translation>내부 커브</translation>
     </message>
     <message>
@@ -1984,23 +1940,23 @@
         <translation>패치 위에 그린 커브가 패치를 당깁니다 (I)</translation>
     </message>
     <message>
-        <source>the &amp;ground</source>
+        <source>the ground</source>
         <translation>지면</translation>
     </message>
     <message>
-        <source>a plane across the &amp;view</source>
+        <source>a plane across the view</source>
         <translation>뷰를 마주 보는 평면</translation>
     </message>
     <message>
-        <source>a plane through what is &amp;selected</source>
+        <source>a plane through what is selected</source>
         <translation>선택 항목을 지나는 평면</translation>
     </message>
     <message>
-        <source>&amp;Draw on</source>
+        <source>Draw on</source>
         <translation>그릴 위치</translation>
     </message>
     <message>
-        <source>&amp;Uniform domain for comparison</source>
+        <source>Uniform domain for comparison</source>
         <translation>비교용 균일 도메인</translation>
     </message>
     <message>
@@ -2008,11 +1964,11 @@
         <translation>균일 (U)</translation>
     </message>
     <message>
-        <source>An&amp;gles along smooth curves</source>
+        <source>Angles along smooth curves</source>
         <translation>스무스 커브의 각도</translation>
     </message>
     <message>
-        <source>Su&amp;rface from</source>
+        <source>Surface from</source>
         <translation>다음으로 서피스 만들기</translation>
     </message>
     <message>
@@ -2120,7 +2076,7 @@
         <translation>점 %1개</translation>
     </message>
     <message>
-        <source>New s&amp;urface</source>
+        <source>New surface</source>
         <translation>새 서피스</translation>
     </message>
     <message>
@@ -2202,10 +2158,6 @@
     <message>
         <source>How the two patches beside a curve meet in it (S)</source>
         <translation>커브 양옆의 두 패치가 커브에서 만나는 방식 (S)</translation>
-    </message>
-    <message>
-        <source>Inner curve</source>
-        <translation>내부 커브</translation>
     </message>
     <message>
         <source>round</source>
@@ -2312,51 +2264,31 @@
         <translation>데스크톱이 Alt 키를 사용 중입니다. Super 키나 1 왼쪽의 키를 누른 채 드래그하여 회전, 화면 이동, 확대/축소하세요</translation>
     </message>
     <message>
-        <source>&amp;File</source>
+        <source>File</source>
         <translation>파일</translation>
     </message>
     <message>
-        <source>&amp;Edit</source>
+        <source>Edit</source>
         <translation>편집</translation>
     </message>
     <message>
-        <source>&amp;Create</source>
+        <source>Create</source>
         <translation>생성</translation>
     </message>
     <message>
-        <source>Se&amp;lect</source>
-        <translation>선택</translation>
-    </message>
-    <message>
-        <source>Mod&amp;ify</source>
+        <source>Modify</source>
         <translation>수정</translation>
     </message>
     <message>
-        <source>&amp;Mesh</source>
-        <translation>메쉬</translation>
-    </message>
-    <message>
-        <source>&amp;Perspective</source>
-        <translation>투시</translation>
-    </message>
-    <message>
-        <source>S&amp;urface</source>
-        <translation>서피스</translation>
-    </message>
-    <message>
-        <source>H&amp;oles</source>
-        <translation>구멍</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
+        <source>View</source>
         <translation>뷰</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
+        <source>Window</source>
         <translation>창</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
+        <source>Help</source>
         <translation>도움말</translation>
     </message>
     <message>
@@ -2376,10 +2308,6 @@
         <translation>예제</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>도움말</translation>
-    </message>
-    <message>
         <source>Search commands</source>
         <translation>명령 검색</translation>
     </message>
@@ -2394,6 +2322,18 @@
     <message>
         <source>Not possible with what is selected now</source>
         <translation>현재 선택한 항목으로는 실행할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>명령</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>메뉴</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>단축키</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -2448,28 +2388,16 @@ Free software under the GNU General Public License, version 3 or later.</source>
 GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입니다.</translation>
     </message>
     <message>
-        <source>&amp;Help for the present tool</source>
+        <source>Help for the present tool</source>
         <translation>현재 도구 도움말</translation>
     </message>
     <message>
-        <source>&amp;Keys of the present tool</source>
-        <translation>현재 도구의 단축키</translation>
-    </message>
-    <message>
-        <source>&amp;Examples</source>
-        <translation>예제</translation>
-    </message>
-    <message>
-        <source>&amp;Copy diagnostics</source>
+        <source>Copy diagnostics</source>
         <translation>진단 정보 복사</translation>
     </message>
     <message>
         <source>Version, graphics and what is open were copied: paste them where you ask</source>
         <translation>버전, 그래픽, 열린 항목 정보를 복사했습니다. 문의하는 곳에 붙여 넣으세요</translation>
-    </message>
-    <message>
-        <source>&amp;About Croquis</source>
-        <translation>Croquis 정보</translation>
     </message>
     <message>
         <source>"%1" holds no keys: %2. Choose a file that was exported from the list of keys.</source>
@@ -2532,24 +2460,16 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>명령과 단축키</translation>
     </message>
     <message>
-        <source>Command</source>
-        <translation>명령</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>메뉴</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>단축키</translation>
-    </message>
-    <message>
         <source>New key</source>
         <translation>새 단축키</translation>
     </message>
     <message>
         <source>&amp;Set</source>
         <translation>설정</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>제거</translation>
     </message>
     <message>
         <source>As in the &amp;preset</source>
@@ -2608,71 +2528,71 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>단축키 방식</translation>
     </message>
     <message>
-        <source>&amp;Add step</source>
+        <source>Add step</source>
         <translation>단계 추가</translation>
     </message>
     <message>
-        <source>&amp;Enable step</source>
+        <source>Enable step</source>
         <translation>단계 활성화</translation>
     </message>
     <message>
-        <source>Move step d&amp;own</source>
+        <source>Move step down</source>
         <translation>단계 아래로 이동</translation>
     </message>
     <message>
-        <source>&amp;Move step up</source>
+        <source>Move step up</source>
         <translation>단계 위로 이동</translation>
     </message>
     <message>
-        <source>D&amp;uplicate step</source>
+        <source>Duplicate step</source>
         <translation>단계 복제</translation>
     </message>
     <message>
-        <source>Free&amp;ze step</source>
+        <source>Freeze step</source>
         <translation>단계 프리즈</translation>
     </message>
     <message>
-        <source>Apply to the new mesh by &amp;number</source>
+        <source>Apply to the new mesh by number</source>
         <translation>번호 기준으로 새 메쉬에 적용</translation>
     </message>
     <message>
-        <source>&amp;Apply to the new mesh</source>
+        <source>Apply to the new mesh</source>
         <translation>새 메쉬에 적용</translation>
     </message>
     <message>
-        <source>Delete &amp;step</source>
+        <source>Delete step</source>
         <translation>단계 삭제</translation>
     </message>
     <message>
-        <source>&amp;Duplicate object</source>
+        <source>Duplicate object</source>
         <translation>오브젝트 복제</translation>
     </message>
     <message>
-        <source>Delete o&amp;bject</source>
+        <source>Delete object</source>
         <translation>오브젝트 삭제</translation>
     </message>
     <message>
-        <source>&amp;Group</source>
+        <source>Group</source>
         <translation>그룹</translation>
     </message>
     <message>
-        <source>U&amp;ngroup</source>
+        <source>Ungroup</source>
         <translation>그룹 해제</translation>
     </message>
     <message>
-        <source>&amp;Hide</source>
+        <source>Hide</source>
         <translation>숨기기</translation>
     </message>
     <message>
-        <source>Sh&amp;ow all</source>
+        <source>Show all</source>
         <translation>모두 표시</translation>
     </message>
     <message>
-        <source>Isolate selectio&amp;n</source>
+        <source>Isolate selection</source>
         <translation>선택 항목만 보기</translation>
     </message>
     <message>
-        <source>&amp;Keep the shape</source>
+        <source>Keep the shape</source>
         <translation>모양 유지</translation>
     </message>
     <message>
@@ -2696,11 +2616,11 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>현재 열린 내용 대신 %1을(를) 여시겠습니까, 아니면 추가하시겠습니까?</translation>
     </message>
     <message>
-        <source>&amp;Replace</source>
+        <source>Replace</source>
         <translation>바꾸기</translation>
     </message>
     <message>
-        <source>&amp;Add</source>
+        <source>Add</source>
         <translation>추가</translation>
     </message>
     <message>
@@ -2736,7 +2656,7 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>메쉬 내보내기</translation>
     </message>
     <message>
-        <source>&amp;Export anyway</source>
+        <source>Export anyway</source>
         <translation>그래도 내보내기</translation>
     </message>
     <message>
@@ -2780,7 +2700,7 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>JSON (*.json)</translation>
     </message>
     <message>
-        <source>&amp;Export mesh…</source>
+        <source>Export mesh…</source>
         <translation>메쉬 내보내기…</translation>
     </message>
     <message>
@@ -2788,15 +2708,15 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>선택한 오브젝트를 파일 하나로</translation>
     </message>
     <message>
-        <source>Export &amp;visible…</source>
+        <source>Export visible…</source>
         <translation>보이는 항목 내보내기…</translation>
     </message>
     <message>
-        <source>Export a&amp;ll…</source>
+        <source>Export all…</source>
         <translation>모두 내보내기…</translation>
     </message>
     <message>
-        <source>&amp;Unit of exported meshes</source>
+        <source>Unit of exported meshes</source>
         <translation>내보낼 메쉬의 단위</translation>
     </message>
     <message>
@@ -2804,15 +2724,15 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>문서와 동일</translation>
     </message>
     <message>
-        <source>Export S&amp;TEP…</source>
+        <source>Export STEP…</source>
         <translation>STEP 내보내기…</translation>
     </message>
     <message>
-        <source>Export &amp;picture…</source>
+        <source>Export picture…</source>
         <translation>이미지 내보내기…</translation>
     </message>
     <message>
-        <source>Export &amp;drawing…</source>
+        <source>Export drawing…</source>
         <translation>드로잉 내보내기…</translation>
     </message>
     <message>
@@ -2820,39 +2740,27 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>%1 내보내기…</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>최근 파일 열기</translation>
-    </message>
-    <message>
         <source>Nothing was opened yet</source>
         <translation>아직 연 파일이 없습니다</translation>
     </message>
     <message>
-        <source>&amp;New sketch</source>
-        <translation>새 스케치</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>열기…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
+        <source>Import…</source>
         <translation>가져오기…</translation>
     </message>
     <message>
-        <source>S&amp;tart page</source>
+        <source>Start page</source>
         <translation>시작 페이지</translation>
     </message>
     <message>
-        <source>&amp;Save</source>
+        <source>Save</source>
         <translation>저장</translation>
     </message>
     <message>
-        <source>Save &amp;as…</source>
+        <source>Save as…</source>
         <translation>다른 이름으로 저장…</translation>
     </message>
     <message>
-        <source>&amp;Quit</source>
+        <source>Quit</source>
         <translation>종료</translation>
     </message>
     <message>
@@ -2876,91 +2784,87 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation> 그 밖에 %1개가 더 있습니다. 검사 결과 패널을 확인하세요.</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
+        <source>Undo</source>
         <translation>실행 취소</translation>
     </message>
     <message>
-        <source>&amp;Redo</source>
+        <source>Redo</source>
         <translation>다시 실행</translation>
     </message>
     <message>
-        <source>&amp;Delete</source>
-        <translation>삭제</translation>
-    </message>
-    <message>
-        <source>Search &amp;commands…</source>
+        <source>Search commands…</source>
         <translation>명령 검색…</translation>
     </message>
     <message>
-        <source>Pre&amp;ferences…</source>
+        <source>Preferences…</source>
         <translation>환경 설정…</translation>
     </message>
     <message>
-        <source>&amp;All</source>
+        <source>All</source>
         <translation>모두</translation>
     </message>
     <message>
-        <source>&amp;None</source>
+        <source>None</source>
         <translation>없음</translation>
     </message>
     <message>
-        <source>Frame &amp;all</source>
+        <source>Frame all</source>
         <translation>모두 맞춰 보기</translation>
     </message>
     <message>
-        <source>&amp;Frame selection</source>
+        <source>Frame selection</source>
         <translation>선택 항목 맞춰 보기</translation>
     </message>
     <message>
-        <source>&amp;Maximise view</source>
+        <source>Maximise view</source>
         <translation>뷰 최대화</translation>
     </message>
     <message>
-        <source>S&amp;ketch and perspective</source>
+        <source>Sketch and perspective</source>
         <translation>스케치와 투시 뷰</translation>
     </message>
     <message>
-        <source>&amp;Four views</source>
+        <source>Four views</source>
         <translation>4분할 뷰</translation>
     </message>
     <message>
-        <source>&amp;Perspective alone</source>
+        <source>Perspective alone</source>
         <translation>투시 뷰만</translation>
     </message>
     <message>
-        <source>Fr&amp;ont alone</source>
+        <source>Front alone</source>
         <translation>정면 뷰만</translation>
     </message>
     <message>
-        <source>&amp;Top alone</source>
+        <source>Top alone</source>
         <translation>윗면 뷰만</translation>
     </message>
     <message>
-        <source>Si&amp;de alone</source>
+        <source>Side alone</source>
         <translation>옆면 뷰만</translation>
     </message>
     <message>
-        <source>&amp;Wire</source>
+        <source>Wire</source>
         <translation>와이어프레임</translation>
     </message>
     <message>
-        <source>&amp;Shaded</source>
+        <source>Shaded</source>
         <translation>셰이딩</translation>
     </message>
     <message>
-        <source>Shaded, with w&amp;ire</source>
+        <source>Shaded, with wire</source>
         <translation>셰이딩 + 와이어프레임</translation>
     </message>
     <message>
-        <source>Fl&amp;at shading</source>
+        <source>Flat shading</source>
         <translation>플랫 셰이딩</translation>
     </message>
     <message>
-        <source>&amp;Zebra stripes</source>
+        <source>Zebra stripes</source>
         <translation>지브라 줄무늬</translation>
     </message>
     <message>
-        <source>&amp;Restore default layout</source>
+        <source>Restore default layout</source>
         <translation>기본 레이아웃 복원</translation>
     </message>
     <message>
@@ -3158,10 +3062,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Makes the first proposed change of a stroke that contradicts the others.</source>
         <translation>다른 획과 모순되는 획에 대해 첫 번째로 제안된 변경을 적용합니다.</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>페이스</translation>
     </message>
     <message>
         <source>Faces that must be there, each by its strokes: e1+e2+e3.</source>
@@ -3908,10 +3808,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>× 구멍 가장자리 평균 에지</translation>
     </message>
     <message>
-        <source>Edit</source>
-        <translation>편집</translation>
-    </message>
-    <message>
         <source>Applies edits to a mesh, one after the other: move, extrude, inset, cut, dissolve, tag.</source>
         <translation>메쉬에 편집을 차례로 적용합니다: 이동, 돌출, 인셋, 자르기, 디졸브, 태그.</translation>
     </message>
@@ -3942,10 +3838,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>How far, along x, y and z, in model units.</source>
         <translation>x, y, z 방향의 이동 거리이며 모델 단위입니다.</translation>
-    </message>
-    <message>
-        <source>Rotate</source>
-        <translation>회전</translation>
     </message>
     <message>
         <source>Rotates vertices, or those of edges and faces, about a point.</source>
@@ -4024,10 +3916,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>띠의 너비입니다.</translation>
     </message>
     <message>
-        <source>Loop cut</source>
-        <translation>루프 컷</translation>
-    </message>
-    <message>
         <source>Cuts the quads that lie opposite to each other across an edge, all around.</source>
         <translation>에지를 사이에 두고 마주 보며 이어지는 사각형을 한 바퀴 빙 둘러 자릅니다.</translation>
     </message>
@@ -4074,10 +3962,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>levels</source>
         <translation>레벨</translation>
-    </message>
-    <message>
-        <source>Pin</source>
-        <translation>고정</translation>
     </message>
     <message>
         <source>Pins vertices, so that subdivision keeps them where they are, or lets them go.</source>

@@ -376,7 +376,7 @@ std::optional<PictureUse> ask_picture_use(const QStringList& paths, QWidget& par
   const auto traces =
       ask_which(parent, "picture-question",
                 QMessageBox::tr("Trace the lines of %1 as strokes, or put it behind the drawing?").arg(what),
-                QMessageBox::tr("&Trace lines"), QMessageBox::tr("&Backdrop"));
+                QMessageBox::tr("Trace lines"), QMessageBox::tr("Backdrop"));
   if (!traces) return std::nullopt;
   return *traces ? PictureUse::Lines : PictureUse::Backdrop;
 }

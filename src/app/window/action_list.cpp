@@ -20,23 +20,22 @@ namespace {
 constexpr QSize bar_icon(26, 26);
 
 std::vector<std::pair<MenuId, QString>> menu_titles() {
-  return {{MenuId::File, QObject::tr("&File")},       {MenuId::Edit, QObject::tr("&Edit")},
-          {MenuId::Create, QObject::tr("&Create")},   {MenuId::Select, QObject::tr("Se&lect")},
-          {MenuId::Modify, QObject::tr("Mod&ify")},   {MenuId::Mesh, QObject::tr("&Mesh")},
-          {MenuId::Sketch, QObject::tr("&Sketch")},   {MenuId::Perspective, QObject::tr("&Perspective")},
-          {MenuId::Surface, QObject::tr("S&urface")}, {MenuId::Holes, QObject::tr("H&oles")},
-          {MenuId::View, QObject::tr("&View")},       {MenuId::Window, QObject::tr("&Window")},
-          {MenuId::Help, QObject::tr("&Help")}};
+  return {{MenuId::File, QObject::tr("File")},       {MenuId::Edit, QObject::tr("Edit")},
+          {MenuId::Create, QObject::tr("Create")},   {MenuId::Select, QObject::tr("Select")},
+          {MenuId::Modify, QObject::tr("Modify")},   {MenuId::Mesh, QObject::tr("Mesh")},
+          {MenuId::Sketch, QObject::tr("Sketch")},   {MenuId::Perspective, QObject::tr("Perspective")},
+          {MenuId::Surface, QObject::tr("Surface")}, {MenuId::Holes, QObject::tr("Holes")},
+          {MenuId::View, QObject::tr("View")},       {MenuId::Window, QObject::tr("Window")},
+          {MenuId::Help, QObject::tr("Help")}};
 }
 
 /// Every entry gets a letter of its own: the first of a word where it is free. Texts don't have to care.
-void underline_letters(QMenu& menu) {
+void underline_letters(const QList<QAction*>& entries) {
   QString used;
-  for (QAction* action : menu.actions()) {
-    if (action->menu() != nullptr) underline_letters(*action->menu());
+  for (QAction* action : entries) {
+    if (action->menu() != nullptr) underline_letters(action->menu()->actions());
     if (!action->isVisible() || action->text().isEmpty()) continue;
-    static const QRegularExpression mark(QStringLiteral("&(?!&)(?<!&&)"));
-    QString text = action->text().remove(mark);
+    QString text = without_marks(action->text());
     static const QRegularExpression first(QStringLiteral("\\b[A-Za-z]")), any(QStringLiteral("[A-Za-z]"));
     for (const QRegularExpression* letters : {&first, &any}) {
       auto found = letters->globalMatch(text.section('\t', 0, 0));
@@ -63,12 +62,17 @@ bool can_do_anything(const QMenu& menu) {
 
 }  // namespace
 
+QString without_marks(QString text) {
+  return text.replace("&&", QStringLiteral("\x01")).remove('&').replace('\x01', "&&");
+}
+
 ActionList::ActionList(QMainWindow& window, std::function<void(const QString&, Recorded)> triggered)
     : window_(window), triggered_(std::move(triggered)), mode_group_(new QActionGroup(&window)) {
   for (const auto& [id, title] : menu_titles()) {
     QMenu* menu = menus_[id] = window.menuBar()->addMenu(title);
-    QObject::connect(menu, &QMenu::aboutToShow, [menu] { underline_letters(*menu); });
+    QObject::connect(menu, &QMenu::aboutToShow, [menu] { underline_letters(menu->actions()); });
   }
+  underline_letters(window.menuBar()->actions());
 }
 
 void ActionList::show_menus() {
@@ -106,7 +110,7 @@ QAction* ActionList::add_mode(QMenu* menu, const QString& mode, const QString& t
   const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
   QAction* action = add(menu, mode, text, keys, std::move(work));
   action->setCheckable(true);
-  action->setToolTip(action->text().remove('&') + " (" + key + ")");
+  action->setToolTip(action->text() + " (" + key + ")");
   mode_group_->addAction(action);
   bar("tools", QObject::tr("Tools"))->addAction(action);
   modes_[mode] = action;

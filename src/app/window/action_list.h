@@ -21,6 +21,9 @@ enum class Recorded {
   ByItself   ///< by the code that acts: with a file's name, with elements
 };
 
+/// A text without the marks of underlined letters; "&&" stays.
+QString without_marks(QString text);
+
 /// The menu bar, from left to right.
 enum class MenuId { File, Edit, Create, Select, Modify, Mesh, Sketch, Perspective, Surface, Holes, View, Window, Help };
 

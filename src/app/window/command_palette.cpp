@@ -33,7 +33,7 @@ constexpr int top_margin = 60;  // below the window's upper edge
 QString palette_text(const char* text) { return QCoreApplication::translate("Palette", text); }
 
 QString plain(const QString& text) {
-  return text.section('\t', 0, 0).remove('&').remove(QStringLiteral("…")).trimmed();
+  return without_marks(text.section('\t', 0, 0)).remove(QStringLiteral("…")).trimmed();
 }
 
 void add_menu_commands(std::vector<Command>& commands, const MainWindow& window) {
@@ -106,7 +106,7 @@ int match_of_word(const QString& word, const QString& text) {
 class Palette : public QDialog {
  public:
   Palette(QWidget& parent, std::vector<Command> commands)
-      : QDialog(&parent), commands_(std::move(commands)), field_(new QLineEdit(this)), list_(new QTreeWidget(this)) {
+      : QDialog(&parent), commands_(std::move(commands)), field_(new QLineEdit(this)), list_(make_command_list(this)) {
     setObjectName("palette");
     setWindowTitle(palette_text("Search commands"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -115,12 +115,7 @@ class Palette : public QDialog {
     field_->setAccessibleName(windowTitle());
     list_->setAccessibleName(palette_text("Commands found"));
     list_->setFocusPolicy(Qt::NoFocus);
-    list_->setColumnCount(3);
     list_->setHeaderHidden(true);
-    list_->setRootIsDecorated(false);
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     auto* column = new QVBoxLayout(this);
     column->addWidget(field_);
     column->addWidget(list_);
@@ -177,6 +172,16 @@ class Palette : public QDialog {
 };
 
 }  // namespace
+
+QTreeWidget* make_command_list(QWidget* parent) {
+  auto* list = new QTreeWidget(parent);
+  list->setHeaderLabels({palette_text("Command"), palette_text("Menu"), palette_text("Keys")});
+  list->setRootIsDecorated(false);
+  list->header()->setStretchLastSection(false);
+  list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  return list;
+}
 
 QString plain_text(const QAction& action) { return plain(action.text()); }
 

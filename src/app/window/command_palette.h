@@ -6,6 +6,7 @@
 #include <vector>
 
 class QAction;
+class QTreeWidget;
 class QWidget;
 
 namespace croquis::app {
@@ -21,6 +22,9 @@ struct Command {
   std::function<void()> run;
   QString english = {};  ///< of its text: it is found by that, too
 };
+
+/// An empty list with columns for text, place and keys.
+QTreeWidget* make_command_list(QWidget* parent);
 
 /// An action's text as people read it: without key and underlined letter.
 QString plain_text(const QAction& action);

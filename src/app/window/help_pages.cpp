@@ -150,18 +150,18 @@ void add_help_menu(MainWindow& window) {
                        std::function<void()> work) {
     actions.add(menu, name, text, keys, std::move(work), Recorded::ByItself);
   };
-  add("help", QObject::tr("&Help for the present tool"), {QKeySequence(Qt::Key_F1)},
+  add("help", QObject::tr("Help for the present tool"), {QKeySequence(Qt::Key_F1)},
       [&window] { show_manual(window, window.shows_views() ? help_topic_of(window.views()) : QString()); });
-  add("help-keys", QObject::tr("&Keys of the present tool"), {}, [&window] { show_keys(window, window.actions()); });
-  add("help-examples", QObject::tr("&Examples"), {}, [&window] {
+  add("help-keys", QObject::tr("Keys of the present tool"), {}, [&window] { show_keys(window, window.actions()); });
+  add("help-examples", QObject::tr("Examples"), {}, [&window] {
     if (window.shows_views()) show_start_page(window);
   });
   menu->addSeparator();
-  add("help-diagnostics", QObject::tr("&Copy diagnostics"), {}, [&window] {
+  add("help-diagnostics", QObject::tr("Copy diagnostics"), {}, [&window] {
     QApplication::clipboard()->setText(diagnostics(window));
     window.say(QObject::tr("Version, graphics and what is open were copied: paste them where you ask"));
   });
-  add("help-about", QObject::tr("&About Croquis"), {}, [&window] { show_about(window); });
+  add("help-about", QObject::tr("About Croquis"), {}, [&window] { show_about(window); });
 }
 
 }  // namespace croquis::app

@@ -19,6 +19,9 @@
 #include <QTreeWidget>
 #include <QXmlStreamReader>
 #include <array>
+#include <memory>
+
+#include "app/window/action_list.h"
 
 namespace croquis::app {
 namespace {
@@ -36,22 +39,6 @@ class Translations : public QTranslator {
   }
 };
 
-QString without_marks(QString text) {
-  return text.replace("&&", QStringLiteral("\x01")).remove('&').replace('\x01', "&&");
-}
-
-/// All that was shown in another language than English, by what was shown, both without the marks of letters.
-QHash<QString, QString>& shown_english() {
-  static QHash<QString, QString> known;
-  return known;
-}
-
-/// The English texts, by themselves without marks.
-QHash<QString, QString>& english_texts() {
-  static QHash<QString, QString> known;
-  return known;
-}
-
 /// A text with places for values, in English or another language.
 struct Pattern {
   QRegularExpression shown;
@@ -59,12 +46,14 @@ struct Pattern {
   QString source;
 };
 
-QList<Pattern>& patterns() {
-  static QList<Pattern> known;
-  return known;
-}
+/// What may be shown, without the marks of letters, and the English of the sources for it.
+struct Texts {
+  QHash<QString, QString> english;  ///< by itself
+  QHash<QString, QString> shown;    ///< by a translation
+  QList<Pattern> patterns;
+};
 
-void add_pattern(const QString& shown, const QString& source) {
+void add_pattern(Texts& texts, const QString& shown, const QString& source) {
   static const QRegularExpression place(QStringLiteral("%(\\d)"));
   static const QRegularExpression word(QStringLiteral("\\w{3}|[\\x{ac00}-\\x{d7a3}]{2}"));
   if (!shown.contains(place) || !QString(shown).remove(place).contains(word)) return;  // it would fit anything
@@ -78,26 +67,36 @@ void add_pattern(const QString& shown, const QString& source) {
   }
   pattern.shown.setPattern(
       QRegularExpression::anchoredPattern(expression + QRegularExpression::escape(shown.mid(end))));
-  patterns() << pattern;
+  texts.patterns << pattern;
 }
 
-void read_texts(const QString& code) {
-  QFile file(QStringLiteral(":/languages/croquis_%1.ts").arg(code));
-  if (!file.open(QIODevice::ReadOnly)) return;
-  QXmlStreamReader reader(&file);
-  QString source;
-  while (!reader.atEnd()) {
-    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
-    if (reader.name() == QLatin1String("source")) {
-      source = reader.readElementText();
-      english_texts()[without_marks(source)] = source;
-      add_pattern(without_marks(source), source);
-    } else if (reader.name() == QLatin1String("translation")) {
-      const QString translation = without_marks(reader.readElementText());
-      shown_english()[translation] = source;
-      add_pattern(translation, source);
+Texts read_texts() {
+  Texts texts;
+  for (const auto& [code, name] : languages()) {
+    QFile file(QStringLiteral(":/languages/croquis_%1.ts").arg(code));
+    if (!file.open(QIODevice::ReadOnly)) continue;  // English is in the sources
+    QXmlStreamReader reader(&file);
+    QString source;
+    while (!reader.atEnd()) {
+      if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+      if (reader.name() == QLatin1String("source")) {
+        source = reader.readElementText();
+        texts.english[without_marks(source)] = source;
+        add_pattern(texts, without_marks(source), source);
+      } else if (reader.name() == QLatin1String("translation")) {
+        const QString translation = without_marks(reader.readElementText());
+        texts.shown[translation] = source;
+        add_pattern(texts, translation, source);
+      }
     }
   }
+  return texts;
+}
+
+/// Read when they are first asked for: most starts never do.
+const Texts& texts() {
+  static const Texts read = read_texts();
+  return read;
 }
 
 QString translated(const QString& english) {
@@ -109,14 +108,14 @@ QString in_language(const QString& shown) {
   if (shown.isEmpty()) return shown;
   for (const char* mark : {"\t", " ("}) {
     const auto at = shown.lastIndexOf(QLatin1String(mark));
-    if (at <= 0 || english_texts().contains(without_marks(english_of(shown)))) continue;
+    if (at <= 0 || texts().english.contains(english_of(shown))) continue;
     if (*mark == '\t') return in_language(shown.left(at)) + '\t' + in_language(shown.mid(at + 1));
     if (shown.endsWith(')'))
       return in_language(shown.left(at)) + " (" + in_language(shown.mid(at + 2).chopped(1)) + ')';
   }
-  const auto source = english_texts().constFind(without_marks(english_of(shown)));
-  if (source != english_texts().constEnd()) return translated(*source);
-  for (const Pattern& pattern : patterns()) {
+  const auto source = texts().english.constFind(english_of(shown));
+  if (source != texts().english.constEnd()) return translated(*source);
+  for (const Pattern& pattern : texts().patterns) {
     const auto found = pattern.shown.match(without_marks(shown));
     if (!found.hasMatch()) continue;
     QString text = translated(pattern.source);
@@ -181,9 +180,6 @@ void keep_language(const QString& code) { QSettings().setValue(language_key, cod
 void use_language(const QString& code) {
   static std::array<std::unique_ptr<QTranslator>, 2> installed;
   installed = {};  // one that is destroyed isn't installed any more
-  if (english_texts().isEmpty()) {
-    for (const auto& [known, name] : languages()) read_texts(known);
-  }
   auto own = std::make_unique<Translations>();
   if (!own->load(QStringLiteral(":/languages/croquis_%1.qm").arg(code))) return;
   auto qt = std::make_unique<QTranslator>();  // of buttons such as Cancel
@@ -205,7 +201,7 @@ QString shown_text(const std::string& english) { return QCoreApplication::transl
 
 QString english_of(const QString& shown) {
   const QString plain = without_marks(shown);
-  return english_texts().contains(plain) ? plain : without_marks(shown_english().value(plain, plain));
+  return texts().english.contains(plain) ? plain : without_marks(texts().shown.value(plain, plain));
 }
 
 }  // namespace croquis::app

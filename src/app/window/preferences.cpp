@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -71,11 +70,6 @@ class KeyEditor : public QWidget {
     column->setContentsMargins({});
     list_->setObjectName("keys");
     list_->setAccessibleName(preference_text("Commands and their keys"));
-    list_->setHeaderLabels({preference_text("Command"), preference_text("Menu"), preference_text("Keys")});
-    list_->setRootIsDecorated(false);
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     column->addWidget(list_, 1);
     auto* row = new QHBoxLayout;
     field_->setObjectName("key");
@@ -217,7 +211,7 @@ class KeyEditor : public QWidget {
 
   MainWindow& window_;
   KeyMap map_;
-  QTreeWidget* list_ = new QTreeWidget(this);
+  QTreeWidget* list_ = make_command_list(this);
   QKeySequenceEdit* field_ = new QKeySequenceEdit(this);
   QLabel* clash_ = new QLabel(this);
 };

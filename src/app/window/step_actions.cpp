@@ -20,15 +20,21 @@ bool holds(const std::vector<const OperationDescription*>& operations, const std
   return std::ranges::any_of(operations, [&](const auto* operation) { return operation->id == id; });
 }
 
-/// Adds what a menu does to the step that is selected.
-QAction* add(ToolHost& host, ActionList& actions, QMenu* menu, const QString& name, const QString& text,
-             const QString& key, std::function<void(Studio&, NodeId)> work) {
-  const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
-  return actions.add(menu, name, text, keys, [&host, work = std::move(work)] {
-    host.attempt([&] { work(host.studio(), active_step(host.studio())); });
-    host.refresh();
-  });
-}
+/// Rows of one menu that act on the step that is selected.
+struct StepRows {
+  ToolHost& host;
+  ActionList& actions;
+  QMenu* menu;
+
+  QAction* add(const QString& name, const QString& text, const QString& key,
+               std::function<void(Studio&, NodeId)> work) const {
+    const QList<QKeySequence> keys = key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{QKeySequence(key)};
+    return actions.add(menu, name, text, keys, [&host = host, work = std::move(work)] {
+      host.attempt([&] { work(host.studio(), active_step(host.studio())); });
+      host.refresh();
+    });
+  }
+};
 
 /// The operations that can be added.
 QMenu* added_steps(ToolHost& host) { return host.viewport().window()->findChild<QMenu*>("added-steps"); }
@@ -36,15 +42,16 @@ QMenu* added_steps(ToolHost& host) { return host.viewport().window()->findChild<
 QString adding_action(const std::string& operation) { return "add-step-" + QString::fromStdString(operation); }
 
 void add_operations(ToolHost& host, ActionList& actions, QMenu* menu) {
-  QMenu* added = menu->addMenu(QObject::tr("&Add step"));
+  QMenu* added = menu->addMenu(QObject::tr("Add step"));
   added->setObjectName("added-steps");
+  const StepRows rows{host, actions, added};
   for (const OperationDescription& description : host.studio().registry().descriptions()) {
     const PortDescription* output = main_output(description);
     if (output == nullptr || output->type != ValueType::Mesh) continue;  // what it gives has no place in a chain
-    add(host, actions, added, adding_action(description.id), shown_text(description.title), {},
-        [id = description.id](Studio& studio, NodeId step) {
-          add_step(studio, step, id, first_parameters(studio, id));
-        })
+    rows.add(adding_action(description.id), shown_text(description.title), {},
+             [id = description.id](Studio& studio, NodeId step) {
+               add_step(studio, step, id, first_parameters(studio, id));
+             })
         ->setToolTip(shown_text(description.sentence));
   }
 }
@@ -55,52 +62,50 @@ void add_step_actions(ToolHost& host, ActionList& actions) {
   QMenu* menu = actions.menu(MenuId::Modify);
   add_operations(host, actions, menu);
   menu->addSeparator();
-  const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
-    return add(host, actions, menu, name, text, key, work);
-  };
-  add_row("step-on", QObject::tr("&Enable step"), {}, [](Studio& studio, NodeId step) {
-    const Node* node = studio.session().document().find(step);
-    enable_step(studio, step, node != nullptr && !node->enabled);
-  })->setCheckable(true);
-  add_row("step-earlier", QObject::tr("Move step d&own"), "Ctrl+Shift+Down",
-          [](Studio& studio, NodeId step) { move_step(studio, step, -1); });
-  add_row("step-later", QObject::tr("&Move step up"), "Ctrl+Shift+Up",
-          [](Studio& studio, NodeId step) { move_step(studio, step, 1); });
-  add_row("duplicate-step", QObject::tr("D&uplicate step"), {}, copy_step);
-  add_row("freeze-step", QObject::tr("Free&ze step"), {}, freeze_step);
-  add_row("reapply-step", QObject::tr("Apply to the new mesh by &number"), {}, reapply_step);
-  add_row("reapply-step-by-position", QObject::tr("&Apply to the new mesh"), {}, reapply_step_by_position);
-  add_row("delete-step", QObject::tr("Delete &step"), "Ctrl+Shift+Backspace", remove_step);
+  const StepRows rows{host, actions, menu};
+  rows.add("step-on", QObject::tr("Enable step"), {},
+           [](Studio& studio, NodeId step) {
+             const Node* node = studio.session().document().find(step);
+             enable_step(studio, step, node != nullptr && !node->enabled);
+           })
+      ->setCheckable(true);
+  rows.add("step-earlier", QObject::tr("Move step down"), "Ctrl+Shift+Down",
+           [](Studio& studio, NodeId step) { move_step(studio, step, -1); });
+  rows.add("step-later", QObject::tr("Move step up"), "Ctrl+Shift+Up",
+           [](Studio& studio, NodeId step) { move_step(studio, step, 1); });
+  rows.add("duplicate-step", QObject::tr("Duplicate step"), {}, copy_step);
+  rows.add("freeze-step", QObject::tr("Freeze step"), {}, freeze_step);
+  rows.add("reapply-step", QObject::tr("Apply to the new mesh by number"), {}, reapply_step);
+  rows.add("reapply-step-by-position", QObject::tr("Apply to the new mesh"), {}, reapply_step_by_position);
+  rows.add("delete-step", QObject::tr("Delete step"), "Ctrl+Shift+Backspace", remove_step);
 }
 
 void add_object_actions(ToolHost& host, ActionList& actions, QMenu* menu) {
-  const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
-    return add(host, actions, menu, name, text, key, work);
-  };
-  add_row("duplicate-object", QObject::tr("&Duplicate object"), "Ctrl+D",
-          [](Studio& studio, NodeId) { copy_objects(studio, picked_or_active(studio)); });
-  add_row("delete-object", QObject::tr("Delete o&bject"), {},
-          [](Studio& studio, NodeId) { remove_objects(studio, picked_or_active(studio)); });
-  add_row("group", QObject::tr("&Group"), "Ctrl+G",
-          [](Studio& studio, NodeId) { group_objects(studio, picked(studio)); });
-  add_row("ungroup", QObject::tr("U&ngroup"), "Ctrl+Shift+G",
-          [](Studio& studio, NodeId) { ungroup_objects(studio, picked(studio)); });
+  const StepRows rows{host, actions, menu};
+  rows.add("duplicate-object", QObject::tr("Duplicate object"), "Ctrl+D",
+           [](Studio& studio, NodeId) { copy_objects(studio, picked_or_active(studio)); });
+  rows.add("delete-object", QObject::tr("Delete object"), {},
+           [](Studio& studio, NodeId) { remove_objects(studio, picked_or_active(studio)); });
+  rows.add("group", QObject::tr("Group"), "Ctrl+G",
+           [](Studio& studio, NodeId) { group_objects(studio, picked(studio)); });
+  rows.add("ungroup", QObject::tr("Ungroup"), "Ctrl+Shift+G",
+           [](Studio& studio, NodeId) { ungroup_objects(studio, picked(studio)); });
 }
 
 void add_visibility_actions(ToolHost& host, ActionList& actions, QMenu* menu) {
-  const auto add_row = [&](const QString& name, const QString& text, const QString& key, auto work) {
-    return add(host, actions, menu, name, text, key, work);
-  };
-  add_row("hide", QObject::tr("&Hide"), "Ctrl+H",
-          [](Studio& studio, NodeId) { show_objects(studio, picked(studio), false); });
-  add_row("show-all", QObject::tr("Sh&ow all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
+  const StepRows rows{host, actions, menu};
+  rows.add("hide", QObject::tr("Hide"), "Ctrl+H",
+           [](Studio& studio, NodeId) { show_objects(studio, picked(studio), false); });
+  rows.add("show-all", QObject::tr("Show all"), "Ctrl+Shift+H", [](Studio& studio, NodeId) {
     std::vector<NodeId> all;
     for (const WorkObject& object : studio.objects()) all.push_back(object.node);
     show_objects(studio, all, true);
   });
-  add_row("isolate", QObject::tr("Isolate selectio&n"), "Ctrl+1", [](Studio& studio, NodeId) {
-    studio.isolate(!studio.isolated().empty() ? std::vector<NodeId>() : picked(studio));
-  })->setCheckable(true);
+  rows.add("isolate", QObject::tr("Isolate selection"), "Ctrl+1",
+           [](Studio& studio, NodeId) {
+             studio.isolate(!studio.isolated().empty() ? std::vector<NodeId>() : picked(studio));
+           })
+      ->setCheckable(true);
 }
 
 void enable_step_actions(ToolHost& host) {
@@ -124,7 +129,7 @@ void enable_step_actions(ToolHost& host) {
   const StepState state = node == nullptr ? StepState::Source : step_at(studio, step).state;
   const bool attention = state == StepState::NeedsAttention;
   const bool old = attention || state == StepState::Held || state == StepState::Stale;
-  host.action("freeze-step")->setText(old ? QObject::tr("&Keep the shape") : QObject::tr("Free&ze step"));
+  host.action("freeze-step")->setText(old ? QObject::tr("Keep the shape") : QObject::tr("Freeze step"));
   enable("reapply-step", attention);
   enable("reapply-step-by-position", attention);
   enable("step-earlier", has_earlier);

@@ -67,7 +67,7 @@ std::optional<bool> ask_replace(MainWindow& window, const QStringList& paths) {
   const QString what =
       paths.size() == 1 ? QFileInfo(paths.front()).fileName() : QObject::tr("%1 meshes").arg(paths.size());
   return ask_which(window, "open-question", QObject::tr("Open %1 in place of what is open, or add it?").arg(what),
-                   QObject::tr("&Replace"), QObject::tr("&Add"));
+                   QObject::tr("Replace"), QObject::tr("Add"));
 }
 
 /// Asks before a project is overwritten that is open elsewhere or was saved by others.
@@ -162,9 +162,9 @@ std::optional<ExportCheck> checked_for_export(MainWindow& window, const MeshExpo
   QMessageBox question(QMessageBox::Warning, QObject::tr("Export mesh"), QString::fromStdString(check.doubt->message),
                        QMessageBox::Cancel, &window);
   question.setObjectName("export-question");
-  QPushButton* show = question.addButton(QObject::tr("&Show"), QMessageBox::RejectRole);
+  QPushButton* show = question.addButton(QObject::tr("Show"), QMessageBox::RejectRole);
   question.setDefaultButton(show);
-  const QPushButton* anyway = question.addButton(QObject::tr("&Export anyway"), QMessageBox::AcceptRole);
+  const QPushButton* anyway = question.addButton(QObject::tr("Export anyway"), QMessageBox::AcceptRole);
   question.exec();
   if (question.clickedButton() == show) show_doubt(window, check, wanted);
   return question.clickedButton() == anyway ? std::optional(check) : std::nullopt;
@@ -242,11 +242,11 @@ void add_exports(MainWindow& window, QMenu* menu) {
   const auto add_meshes = [&](const char* name, const QString& text, const QList<QKeySequence>& keys, Objects objects) {
     return actions.add(menu, name, text, keys, [&window, objects] { ask_export_meshes(window, objects); });
   };
-  add_meshes("export-solid", QObject::tr("&Export mesh…"), {QKeySequence("Ctrl+E")}, Objects::Picked)
+  add_meshes("export-solid", QObject::tr("Export mesh…"), {QKeySequence("Ctrl+E")}, Objects::Picked)
       ->setToolTip(QObject::tr("The selected objects as one file"));
-  add_meshes("export-visible", QObject::tr("Export &visible…"), {}, Objects::Visible);
-  add_meshes("export-all", QObject::tr("Export a&ll…"), {}, Objects::All);
-  QMenu* units = menu->addMenu(QObject::tr("&Unit of exported meshes"));
+  add_meshes("export-visible", QObject::tr("Export visible…"), {}, Objects::Visible);
+  add_meshes("export-all", QObject::tr("Export all…"), {}, Objects::All);
+  QMenu* units = menu->addMenu(QObject::tr("Unit of exported meshes"));
   auto* group = new QActionGroup(&window);
   const auto add_unit = [&](const std::string& unit, const QString& text) {
     QAction* chosen = actions.add(units, "export-unit-" + QString::fromStdString(unit.empty() ? "own" : unit), text, {},
@@ -257,10 +257,10 @@ void add_exports(MainWindow& window, QMenu* menu) {
   };
   add_unit({}, QObject::tr("As in the document"));
   for (const std::string& unit : length_units()) add_unit(unit, QString::fromStdString(unit));
-  actions.add(menu, "export-step", QObject::tr("Export S&TEP…"), {}, [&window] { ask_export_step(window); });
-  actions.add(menu, "export-picture", QObject::tr("Export &picture…"), {QKeySequence("Ctrl+Shift+E")},
+  actions.add(menu, "export-step", QObject::tr("Export STEP…"), {}, [&window] { ask_export_step(window); });
+  actions.add(menu, "export-picture", QObject::tr("Export picture…"), {QKeySequence("Ctrl+Shift+E")},
               [&window] { ask_export_picture(window); });
-  actions.add(menu, "export-drawing", QObject::tr("Export &drawing…"), {}, [&window] { ask_export_drawing(window); });
+  actions.add(menu, "export-drawing", QObject::tr("Export drawing…"), {}, [&window] { ask_export_drawing(window); });
   for (const OperationDescription* operation : result_exports(parts.studio)) {
     const QString title = shown_text(operation->title).toLower();
     actions
@@ -272,7 +272,7 @@ void add_exports(MainWindow& window, QMenu* menu) {
 
 /// They are looked up when the menu opens: files come and go.
 void add_recent_files(MainWindow& window, QMenu* menu) {
-  QMenu* recent = menu->addMenu(QObject::tr("Open &recent"));
+  QMenu* recent = menu->addMenu(QObject::tr("Open recent"));
   recent->setObjectName("recent");
   recent->setToolTipsVisible(true);
   QObject::connect(recent, &QMenu::aboutToShow, &window, [&window, recent] {
@@ -303,19 +303,19 @@ void add_file_menu(MainWindow& window) {
   const auto add = [&](const char* name, const QString& text, const QKeySequence& key, auto work) {
     window.parts().actions->add(menu, name, text, {key}, [&window, work] { work(window); });
   };
-  add("new", QObject::tr("&New sketch"), QKeySequence::New, [](MainWindow& of) { of.start_with(); });
-  add("open", QObject::tr("&Open…"), QKeySequence::Open, ask_open);
+  add("new", QObject::tr("New sketch"), QKeySequence::New, [](MainWindow& of) { of.start_with(); });
+  add("open", QObject::tr("Open…"), QKeySequence::Open, ask_open);
   add_recent_files(window, menu);
-  add("import", QObject::tr("&Import…"), QKeySequence("Ctrl+Shift+O"), ask_import);
-  add("start-page", QObject::tr("S&tart page"), QKeySequence("Ctrl+Home"), show_start_page);
+  add("import", QObject::tr("Import…"), QKeySequence("Ctrl+Shift+O"), ask_import);
+  add("start-page", QObject::tr("Start page"), QKeySequence("Ctrl+Home"), show_start_page);
   menu->addSeparator();
-  add("save", QObject::tr("&Save"), QKeySequence::Save, ask_save);
-  add("save-as", QObject::tr("Save &as…"), QKeySequence::SaveAs,
+  add("save", QObject::tr("Save"), QKeySequence::Save, ask_save);
+  add("save-as", QObject::tr("Save as…"), QKeySequence::SaveAs,
       [](MainWindow& of) { ask_save_as(of, of.files().path()); });
   menu->addSeparator();
   add_exports(window, menu);
   menu->addSeparator();
-  add("quit", QObject::tr("&Quit"), QKeySequence::Quit, [](MainWindow& of) { of.close(); });
+  add("quit", QObject::tr("Quit"), QKeySequence::Quit, [](MainWindow& of) { of.close(); });
 }
 
 void follow_files(MainWindow& window) {

@@ -94,25 +94,25 @@ void add_edit_menu(MainWindow& window) {
   };
   const auto undo = [](MainWindow& of) { of.studio().session().undo(); };
   const auto redo = [](MainWindow& of) { of.studio().session().redo(); };
-  add("undo", QObject::tr("&Undo"), {QKeySequence("Ctrl+Z"), QKeySequence("Z")}, undo);
-  add("redo", QObject::tr("&Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
+  add("undo", QObject::tr("Undo"), {QKeySequence("Ctrl+Z"), QKeySequence("Z")}, undo);
+  add("redo", QObject::tr("Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y"), QKeySequence("Shift+Z")},
       redo);
   menu->addSeparator();
-  add("delete", QObject::tr("&Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)}, delete_selection,
+  add("delete", QObject::tr("Delete"), {QKeySequence::Delete, QKeySequence(Qt::Key_Backspace)}, delete_selection,
       Recorded::ByItself);
   add_object_actions(window, *window.parts().actions, menu);
   menu->addSeparator();
   add(
-      "palette", QObject::tr("Search &commands…"), {QKeySequence("F3"), QKeySequence("Ctrl+Shift+P")},
+      "palette", QObject::tr("Search commands…"), {QKeySequence("F3"), QKeySequence("Ctrl+Shift+P")},
       [](MainWindow& of) { show_palette(of, all_commands(of)); }, Recorded::ByItself);
-  add("preferences", QObject::tr("Pre&ferences…"), {QKeySequence("Ctrl+,")}, show_preferences, Recorded::ByItself);
+  add("preferences", QObject::tr("Preferences…"), {QKeySequence("Ctrl+,")}, show_preferences, Recorded::ByItself);
 }
 
 void add_select_menu(MainWindow& window) {
   ActionList& actions = *window.parts().actions;
   QMenu* menu = actions.menu(MenuId::Select);
-  actions.add(menu, "select-all", QObject::tr("&All"), {QKeySequence::SelectAll}, [&window] { select_all(window); });
-  actions.add(menu, "deselect", QObject::tr("&None"), {QKeySequence("Escape")}, [&window] { select_none(window); });
+  actions.add(menu, "select-all", QObject::tr("All"), {QKeySequence::SelectAll}, [&window] { select_all(window); });
+  actions.add(menu, "deselect", QObject::tr("None"), {QKeySequence("Escape")}, [&window] { select_none(window); });
   menu->addSeparator();
 }
 
@@ -124,17 +124,17 @@ void add_view_menu(MainWindow& window) {
     return actions.add(menu, name, text, key.isEmpty() ? QList<QKeySequence>() : QList{QKeySequence(key)},
                        std::move(work));
   };
-  add("frame-all", QObject::tr("Frame &all"), "A", [views] { frame_all(*views); });
-  add("frame-selection", QObject::tr("&Frame selection"), "F", [views] { frame_selection(*views); });
-  add("layout", QObject::tr("&Maximise view"), "Space", [views] { toggle_layout(*views); });
-  add("two-views", QObject::tr("S&ketch and perspective"), "Ctrl+Space",
+  add("frame-all", QObject::tr("Frame all"), "A", [views] { frame_all(*views); });
+  add("frame-selection", QObject::tr("Frame selection"), "F", [views] { frame_selection(*views); });
+  add("layout", QObject::tr("Maximise view"), "Space", [views] { toggle_layout(*views); });
+  add("two-views", QObject::tr("Sketch and perspective"), "Ctrl+Space",
       [views] { views->layout.arrange(Arrangement::SketchAndSolid); });
-  add("four-views", QObject::tr("&Four views"), "Shift+Space", [views] { views->layout.arrange(Arrangement::Four); });
-  add("perspective-alone", QObject::tr("&Perspective alone"), {},
+  add("four-views", QObject::tr("Four views"), "Shift+Space", [views] { views->layout.arrange(Arrangement::Four); });
+  add("perspective-alone", QObject::tr("Perspective alone"), {},
       [views] { views->layout.show_alone(PerspectiveView); });
-  add("front-alone", QObject::tr("Fr&ont alone"), {}, [views] { views->layout.show_alone(SketchView); });
-  add("top-alone", QObject::tr("&Top alone"), {}, [views] { views->layout.show_alone(TopView); });
-  add("side-alone", QObject::tr("Si&de alone"), {}, [views] { views->layout.show_alone(SideView); });
+  add("front-alone", QObject::tr("Front alone"), {}, [views] { views->layout.show_alone(SketchView); });
+  add("top-alone", QObject::tr("Top alone"), {}, [views] { views->layout.show_alone(TopView); });
+  add("side-alone", QObject::tr("Side alone"), {}, [views] { views->layout.show_alone(SideView); });
   for (int place = 0; place < most_cameras; ++place) {
     QAction* camera = add(camera_action(place), {}, {}, [&window, place] { look_through_camera(window, place); });
     camera->setCheckable(true);
@@ -151,13 +151,13 @@ void add_view_menu(MainWindow& window) {
     action->setChecked(look == MeshLook::Shaded);
     shading->addAction(action);
   };
-  add_shading("wire", QObject::tr("&Wire"), "4", MeshLook::Wire);
-  add_shading("shaded", QObject::tr("&Shaded"), "5", MeshLook::Shaded);
-  add_shading("shaded-wire", QObject::tr("Shaded, with w&ire"), "6", MeshLook::ShadedWire);
-  add("flat", QObject::tr("Fl&at shading"), "Shift+5", [views, &window] {
+  add_shading("wire", QObject::tr("Wire"), "4", MeshLook::Wire);
+  add_shading("shaded", QObject::tr("Shaded"), "5", MeshLook::Shaded);
+  add_shading("shaded-wire", QObject::tr("Shaded, with wire"), "6", MeshLook::ShadedWire);
+  add("flat", QObject::tr("Flat shading"), "Shift+5", [views, &window] {
     views->objects.set_flat(window.action("flat")->isChecked());
   })->setCheckable(true);
-  add("zebra", QObject::tr("&Zebra stripes"), "Shift+6", [views, &window] {
+  add("zebra", QObject::tr("Zebra stripes"), "Shift+6", [views, &window] {
     views->zebra = window.action("zebra")->isChecked();
     emit views->changed();
   })->setCheckable(true);
@@ -297,7 +297,7 @@ void add_window_menu(MainWindow& window) {
     });
   }
   menu->addSeparator();
-  actions.add(menu, "reset-layout", QObject::tr("&Restore default layout"), {},
+  actions.add(menu, "reset-layout", QObject::tr("Restore default layout"), {},
               [&window, first = window.saveState()] { reset_layout(window, first); });
 }
 

@@ -77,24 +77,24 @@ BackdropTool::BackdropTool(ToolHost& host) : Tool(host, "Pictures to trace"), ed
 }
 
 void BackdropTool::make_actions(ActionList& actions) {
-  QMenu* menu = actions.menu(MenuId::Sketch)->addMenu(tr("P&icture behind the drawing"));
+  QMenu* menu = actions.menu(MenuId::Sketch)->addMenu(tr("Picture behind the drawing"));
   const auto add = [&](const QString& name, const QString& text, const QString& button, std::function<void()> work) {
     QAction* action = actions.add(
         menu, name, text, {}, [this, work = std::move(work)] { host().attempt(work); }, Recorded::ByItself);
     action->setIconText(button);
     return action;
   };
-  add("open-picture", tr("&Open a picture…"), tr("Replace…"), [this] { ask_picture(); });
-  add("show-picture", tr("&Show"), tr("Show"), [this] {
+  add("open-picture", tr("Open a picture…"), tr("Replace…"), [this] { ask_picture(); });
+  add("show-picture", tr("Show"), tr("Show"), [this] {
     change(tr("Show picture"), [this](Backdrop& b) { b.visible = host().action("show-picture")->isChecked(); });
   })->setCheckable(true);
-  add("fit-picture", tr("&Fit to the sheet or the strokes"), tr("Fit"), [this] { do_and_record(editor_.fit()); });
+  add("fit-picture", tr("Fit to the sheet or the strokes"), tr("Fit"), [this] { do_and_record(editor_.fit()); });
   actions
-      .add(menu, "move-picture", tr("&Move and scale"), {},
+      .add(menu, "move-picture", tr("Move and scale"), {},
            [this] { host().set_mode(mode_ == "move-picture" ? first_mode : QStringLiteral("move-picture")); })
       ->setCheckable(true);
   host().action("move-picture")->setIconText(tr("Move"));
-  add("remove-picture", tr("&Remove"), tr("Remove"), [this] { do_and_record(editor_.remove()); });
+  add("remove-picture", tr("Remove"), tr("Remove"), [this] { do_and_record(editor_.remove()); });
 }
 
 void BackdropTool::make_panels(PanelDocks& docks) {

@@ -100,17 +100,17 @@ HoleFillingTool::HoleFillingTool(ToolHost& host)
 }
 
 void HoleFillingTool::make_actions(ActionList& actions) {
-  QAction* tool = actions.add_mode(actions.menu(MenuId::Mesh), "holes", tr("Fill &holes"), "O", [this] {
+  QAction* tool = actions.add_mode(actions.menu(MenuId::Mesh), "holes", tr("Fill holes"), "O", [this] {
     if (host().attempt([this] { start_filling(studio()); })) host().set_mode("holes");
     host().refresh();
   });
   tool->setToolTip(tr("Holes of a scan: list, preview, fill (O)"));
   actions_ = add_hole_actions(holes_, actions, actions.menu(MenuId::Holes));
-  QAction* tint = actions.add(actions.menu(MenuId::View), "tint-patches", tr("Patches by c&onfidence"),
-                              {QKeySequence("T")}, [this] {
-                                holes_.tinted = host().action("tint-patches")->isChecked();
-                                show_patch_look();
-                              });
+  QAction* tint =
+      actions.add(actions.menu(MenuId::View), "tint-patches", tr("Patches by confidence"), {QKeySequence("T")}, [this] {
+        holes_.tinted = host().action("tint-patches")->isChecked();
+        show_patch_look();
+      });
   tint->setCheckable(true);
   // What was filled is hidden once it is frozen.
   connect(actions.find("freeze"), &QAction::triggered, this, [this] {

@@ -40,8 +40,8 @@ MeasuringTool::MeasuringTool(ToolHost& host)
 void MeasuringTool::make_actions(ActionList& actions) {
   QMenu* edit = actions.menu(MenuId::Edit);
   edit->addSeparator();
-  actions.add_mode(edit, "measure", tr("M&easure"), "M", [this] { host().set_mode("measure"); });
-  actions.add(edit, "copy-measurement", tr("&Copy measurement"), {QKeySequence::Copy}, [this] {
+  actions.add_mode(edit, "measure", tr("Measure"), "M", [this] { host().set_mode("measure"); });
+  actions.add(edit, "copy-measurement", tr("Copy measurement"), {QKeySequence::Copy}, [this] {
     QApplication::clipboard()->setText(QString::fromStdString(measured_text(tool_.places())));
     host().say(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
   });

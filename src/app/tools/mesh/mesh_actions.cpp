@@ -66,17 +66,17 @@ std::vector<ActionRow> selections(MeshEditingTool& mesh) {
   const auto by = [&mesh](Reselect how) {
     return [&mesh, how] { mesh.act([how](MeshTool& tool) { return tool.selection().reselect(how); }); };
   };
-  return {{"grow", menu_text("&Grow"), shortcuts(">", "Ctrl++"), by(Reselect::Grow)},
-          {"shrink", menu_text("S&hrink"), shortcuts("<", "Ctrl+-"), by(Reselect::Shrink)},
-          {"invert", menu_text("&Invert"), shortcuts("Ctrl+I"), by(Reselect::Invert)},
+  return {{"grow", menu_text("Grow"), shortcuts(">", "Ctrl++"), by(Reselect::Grow)},
+          {"shrink", menu_text("Shrink"), shortcuts("<", "Ctrl+-"), by(Reselect::Shrink)},
+          {"invert", menu_text("Invert"), shortcuts("Ctrl+I"), by(Reselect::Invert)},
           {},
-          {"select-loop", menu_text("Edge &loop"), shortcuts("Shift+L"), by(Reselect::Loop)},
-          {"select-ring", menu_text("Edge &ring"), shortcuts("Shift+R"), by(Reselect::Ring)},
-          {"select-between", menu_text("&Shortest path between two"), shortcuts("Shift+V"), by(Reselect::Between)},
-          {"select-connected", menu_text("All that is &connected"), shortcuts("Shift+K"), by(Reselect::Connected)},
-          {"select-chain", menu_text("C&hain of sharp edges"), shortcuts("Shift+C"), by(Reselect::Chain)},
-          {"select-tagged", menu_text("All sharp &edges"), shortcuts("Shift+T"), by(Reselect::Tagged)},
-          {"select-boundary", menu_text("&Boundary"), shortcuts("Shift+B"), by(Reselect::Boundary)},
+          {"select-loop", menu_text("Edge loop"), shortcuts("Shift+L"), by(Reselect::Loop)},
+          {"select-ring", menu_text("Edge ring"), shortcuts("Shift+R"), by(Reselect::Ring)},
+          {"select-between", menu_text("Shortest path between two"), shortcuts("Shift+V"), by(Reselect::Between)},
+          {"select-connected", menu_text("All that is connected"), shortcuts("Shift+K"), by(Reselect::Connected)},
+          {"select-chain", menu_text("Chain of sharp edges"), shortcuts("Shift+C"), by(Reselect::Chain)},
+          {"select-tagged", menu_text("All sharp edges"), shortcuts("Shift+T"), by(Reselect::Tagged)},
+          {"select-boundary", menu_text("Boundary"), shortcuts("Shift+B"), by(Reselect::Boundary)},
           {}};
 }
 
@@ -87,14 +87,14 @@ std::vector<ActionRow> taggings(MeshEditingTool& mesh) {
   const auto run = [&mesh](const recorded::Step& step) { return [&mesh, step] { take_step(mesh, step); }; };
   const double sharp = infinite_sharpness;
   return {
-      {"sharp", menu_text("S&harp"), shortcuts("H"), run(recorded::Tag{.sharpness = sharp})},
-      {"smooth", menu_text("S&mooth"), shortcuts("Shift+H"), run(recorded::Tag{.sharpness = 0})},
-      {"pin", menu_text("&Pin"), shortcuts("P"), run(recorded::Pin{})},
-      {"unpin", menu_text("&Unpin"), shortcuts("Shift+P"), run(recorded::Pin{.pinned = false})},
-      {"sharp-boundary", menu_text("Sharp &boundary"), {}, run(recorded::Tag{.edges = "boundary", .sharpness = sharp})},
+      {"sharp", menu_text("Sharp"), shortcuts("H"), run(recorded::Tag{.sharpness = sharp})},
+      {"smooth", menu_text("Smooth"), shortcuts("Shift+H"), run(recorded::Tag{.sharpness = 0})},
+      {"pin", menu_text("Pin"), shortcuts("P"), run(recorded::Pin{})},
+      {"unpin", menu_text("Unpin"), shortcuts("Shift+P"), run(recorded::Pin{.pinned = false})},
+      {"sharp-boundary", menu_text("Sharp boundary"), {}, run(recorded::Tag{.edges = "boundary", .sharpness = sharp})},
       {"sharper", menu_text("Sharper by a half"), shortcuts("Ctrl+Up"), run(recorded::Tag{.change = 0.5})},
       {"softer", menu_text("Softer by a half"), shortcuts("Ctrl+Down"), run(recorded::Tag{.change = -0.5})},
-      {"crease-set", menu_text("Crease &set of the selection"), shortcuts("Ctrl+G"),
+      {"crease-set", menu_text("Crease set of the selection"), shortcuts("Ctrl+G"),
        [&mesh] { make_crease_set(mesh); }}};
 }
 
@@ -114,7 +114,7 @@ QList<QAction*> add(Making& making, QMenu* menu, const std::vector<ActionRow>& r
 }
 
 void add_tip(QAction* action) {
-  action->setToolTip(action->text().remove('&') + " (" + action->shortcut().toString() + ")");
+  action->setToolTip(action->text() + " (" + action->shortcut().toString() + ")");
 }
 
 void add_handles(Making& making) {
@@ -123,10 +123,10 @@ void add_handles(Making& making) {
                             [&host = making.host, mode] { host.set_mode(mode); });
   };
   making.actions.menu(MenuId::Modify)->addSeparator();
-  add_mode(MenuId::Modify, "move", menu_text("Mo&ve"), "W");
-  add_mode(MenuId::Modify, "rotate", menu_text("&Rotate"), "E");
-  add_mode(MenuId::Modify, "scale", menu_text("S&cale"), "R");
-  add_mode(MenuId::Mesh, "sharpen", menu_text("C&hange sharpness"), "S");
+  add_mode(MenuId::Modify, "move", menu_text("Move"), "W");
+  add_mode(MenuId::Modify, "rotate", menu_text("Rotate"), "E");
+  add_mode(MenuId::Modify, "scale", menu_text("Scale"), "R");
+  add_mode(MenuId::Mesh, "sharpen", menu_text("Change sharpness"), "S");
   making.actions.menu(MenuId::Mesh)->addSeparator();
 }
 
@@ -141,15 +141,15 @@ void add_modes(Making& making, QMenu* menu) {
     making.made.modes[mode] = action;
     making.made.bar->addAction(action);
   };
-  add_mode("object-mode", menu_text("&Objects"), "F8", MeshMode::Object);
-  add_mode("vertex-mode", menu_text("&Vertices"), "F9", MeshMode::Vertex);
-  add_mode("edge-mode", menu_text("&Edges"), "F10", MeshMode::Edge);
-  add_mode("face-mode", menu_text("&Faces"), "F11", MeshMode::Face);
+  add_mode("object-mode", menu_text("Objects"), "F8", MeshMode::Object);
+  add_mode("vertex-mode", menu_text("Vertices"), "F9", MeshMode::Vertex);
+  add_mode("edge-mode", menu_text("Edges"), "F10", MeshMode::Edge);
+  add_mode("face-mode", menu_text("Faces"), "F11", MeshMode::Face);
 }
 
 void add_selections(Making& making, QMenu* menu) {
   add(making, menu, selections(making.tool));
-  QAction* through = making.actions.add(menu, "select-through", menu_text("Select t&hrough"), {QKeySequence("Ctrl+T")},
+  QAction* through = making.actions.add(menu, "select-through", menu_text("Select through"), {QKeySequence("Ctrl+T")},
                                         [&tool = making.tool, &host = making.host] {
                                           tool.tool().set_pick_through(host.action("select-through")->isChecked());
                                         });
@@ -185,8 +185,8 @@ void add_shapes(Making& making, QMenu* menu) {
       return verdict;
     });
   };
-  add(making, menu, {{"extrude", menu_text("E&xtrude faces"), shortcuts("Shift+E"), extrude}});
-  making.made.of_mesh << making.actions.add(menu, "loop-cut", menu_text("&Loop cut"), {QKeySequence("K")},
+  add(making, menu, {{"extrude", menu_text("Extrude faces"), shortcuts("Shift+E"), extrude}});
+  making.made.of_mesh << making.actions.add(menu, "loop-cut", menu_text("Loop cut"), {QKeySequence("K")},
                                             [&tool = making.tool] {
                                               tool.tool().arm_loop_cut(true);
                                               tool.follow();
@@ -384,7 +384,7 @@ void add_mesh_replays(Replays& replays, MeshEditingTool& mesh, Studio& studio) {
 
 ScaleOffer::ScaleOffer(ToolHost& host, ActionList& actions, QMenu* menu)
     : host_(host), button_(new QPushButton(&host.viewport())) {
-  actions.add(menu, "scale-to-scene", QObject::tr("Scale t&o the scene"), {}, [&host] {
+  actions.add(menu, "scale-to-scene", QObject::tr("Scale to the scene"), {}, [&host] {
     if (host.attempt([&host] { scale_to_scene(host.studio()); })) frame_all(host.views());
   });
   button_->setObjectName("scale-offer");

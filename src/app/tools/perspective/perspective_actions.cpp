@@ -153,7 +153,7 @@ void add_group_actions(Sheet& sheet, ActionList& actions, QMenu* menu) {
     choose_role(sheet, on ? StrokeRole::Construction : StrokeRole::Edge);
   };
   QAction* construction =
-      actions.add(menu, "construction", QObject::tr("&Construction lines"), {}, take_role, Recorded::ByItself);
+      actions.add(menu, "construction", QObject::tr("Construction lines"), {}, take_role, Recorded::ByItself);
   construction->setCheckable(true);
   construction->setIconText(QObject::tr("Guides"));
   set_sector_color(*construction, QColor(150, 156, 166));
@@ -164,29 +164,29 @@ std::vector<ActionRow> stroke_actions(Sheet& sheet) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   const auto run = [&sheet](auto work) { return [&sheet, work] { sheet.host.attempt([&] { work(sheet); }); }; };
   return {{},
-          {"stroke-hidden", tr("&Hidden edge"), {}, run(hide_or_show)},
-          {"stroke-link", tr("&Link pieces by a construction line"), {}, run(tie_or_untie)},
-          {"ends-smooth", tr("Ends go on &smoothly"), {}, run(lock_ends<EndLock::Smooth>)},
-          {"ends-corner", tr("Ends are &corners"), {}, run(lock_ends<EndLock::Corner>)},
-          {"ends-free", tr("Ends as they are &drawn"), {}, run(lock_ends<EndLock::None>)},
-          {"edge-sharp", tr("Sharp ed&ge between faces"), {}, run(toggle_sharp)},
+          {"stroke-hidden", tr("Hidden edge"), {}, run(hide_or_show)},
+          {"stroke-link", tr("Link pieces by a construction line"), {}, run(tie_or_untie)},
+          {"ends-smooth", tr("Ends go on smoothly"), {}, run(lock_ends<EndLock::Smooth>)},
+          {"ends-corner", tr("Ends are corners"), {}, run(lock_ends<EndLock::Corner>)},
+          {"ends-free", tr("Ends as they are drawn"), {}, run(lock_ends<EndLock::None>)},
+          {"edge-sharp", tr("Sharp edge between faces"), {}, run(toggle_sharp)},
           {},
           {"known-point",
-           tr("&Known point: click it and type its coordinates"),
+           tr("Known point: click it and type its coordinates"),
            {},
            [&sheet] { sheet.host.attempt([&] { pick(sheet, SheetPick::Point); }); }},
-          {"known-length", tr("Kno&wn length of a stroke"), {}, run(begin_known_length)},
+          {"known-length", tr("Known length of a stroke"), {}, run(begin_known_length)},
           {},
           {"add-face",
-           tr("&Add the face between the selected strokes"),
+           tr("Add the face between the selected strokes"),
            {},
            [&sheet] { sheet.host.attempt([&] { toggle_face(sheet, "faces"); }); }},
           {"forbid-face",
-           tr("&No face between the selected strokes"),
+           tr("No face between the selected strokes"),
            {},
            [&sheet] { sheet.host.attempt([&] { toggle_face(sheet, "no-faces"); }); }},
-          {"perspective-fix", tr("Make the first proposed &fix"), {}, run(apply_fix)},
-          {"mirror", tr("Complete by &mirror"), {}, run(propose_or_complete_mirror)},
+          {"perspective-fix", tr("Make the first proposed fix"), {}, run(apply_fix)},
+          {"mirror", tr("Complete by mirror"), {}, run(propose_or_complete_mirror)},
           {}};
 }
 
@@ -210,13 +210,13 @@ void add_keys(Sheet& sheet, ToolKeys& keys) {
 
 void add_sheet_actions(Sheet& sheet, ActionList& actions, ToolKeys& keys) {
   QMenu* file = actions.menu(MenuId::File);
-  QAction* fresh = actions.add(file, "new-perspective", QObject::tr("New &perspective drawing"), {},
+  QAction* fresh = actions.add(file, "new-perspective", QObject::tr("New perspective drawing"), {},
                                [&sheet] { begin_new(sheet.host); });
   file->insertAction(actions.find("open"), fresh);
   QMenu* menu = actions.menu(MenuId::Perspective);
   add_group_actions(sheet, actions, menu);
   add_rows(actions, menu, stroke_actions(sheet));
-  QAction* through = actions.add(menu, "look-through", QObject::tr("&Look through the drawing"), {QKeySequence("V")},
+  QAction* through = actions.add(menu, "look-through", QObject::tr("Look through the drawing"), {QKeySequence("V")},
                                  [&sheet] { look_through(sheet, sheet.host.action("look-through")->isChecked()); });
   through->setCheckable(true);
   add_keys(sheet, keys);

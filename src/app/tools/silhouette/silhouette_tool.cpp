@@ -167,22 +167,22 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
 
 void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
-  QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("&Sketch"));
+  QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
                              const DrawingPlane& plane) {
     actions.add(added, name, text, keys, [&host, plane] { add_sketch(host, plane); });
   };
-  add_plane("add-sketch", tr("Seen from the &front"), {QKeySequence("Ctrl+Shift+N")}, {});
-  add_plane("add-sketch-top", tr("Seen from the &top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
-  add_plane("add-sketch-side", tr("Seen from the &side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
+  add_plane("add-sketch", tr("Seen from the front"), {QKeySequence("Ctrl+Shift+N")}, {});
+  add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
+  add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
   const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {
     actions.add_mode(actions.menu(menu), mode, text, key, [&host, mode] { host.set_mode(mode); });
   };
-  add_mode(MenuId::Sketch, "draw", tr("&Draw"), "D");
-  add_mode(MenuId::Sketch, "erase", tr("&Erase"), "X");
-  add_mode(MenuId::Select, select_mode, tr("Select and res&hape"), "Q");
+  add_mode(MenuId::Sketch, "draw", tr("Draw"), "D");
+  add_mode(MenuId::Sketch, "erase", tr("Erase"), "X");
+  add_mode(MenuId::Select, select_mode, tr("Select and reshape"), "Q");
   QMenu* sketch = actions.menu(MenuId::Sketch);
-  actions.add(sketch, "join-limbs", tr("&Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
+  actions.add(sketch, "join-limbs", tr("Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
   sketch->addSeparator();
 }
 

@@ -266,24 +266,24 @@ SubdivisionTool::SubdivisionTool(ToolHost& host)
 }
 
 void SubdivisionTool::make_actions(ActionList& actions) {
-  QMenu* menu = actions.menu(MenuId::Mesh)->addMenu(tr("Su&bdivision"));
+  QMenu* menu = actions.menu(MenuId::Mesh)->addMenu(tr("Subdivision"));
   const auto add_view = [&](const QString& name, const QString& text, const QString& key, ChainView view) {
     actions_ << actions.add(menu, name, text, {QKeySequence(key)}, [this, view] {
       show_smooth(studio(), view);
       host().refresh();
     });
   };
-  add_view("show-cage", tr("&Cage"), "1", ChainView::Cage);
-  add_view("show-both", tr("Cage and smooth &surface"), "2", ChainView::Both);
-  add_view("show-smooth", tr("&Smooth surface"), "3", ChainView::Result);
+  add_view("show-cage", tr("Cage"), "1", ChainView::Cage);
+  add_view("show-both", tr("Cage and smooth surface"), "2", ChainView::Both);
+  add_view("show-smooth", tr("Smooth surface"), "3", ChainView::Result);
   menu->addSeparator();
-  actions_ << actions.add(menu, "finer", tr("&Finer"), {QKeySequence(Qt::Key_PageUp)},
+  actions_ << actions.add(menu, "finer", tr("Finer"), {QKeySequence(Qt::Key_PageUp)},
                           [this] { change_level(studio(), 1); });
-  actions_ << actions.add(menu, "coarser", tr("C&oarser"), {QKeySequence(Qt::Key_PageDown)},
+  actions_ << actions.add(menu, "coarser", tr("Coarser"), {QKeySequence(Qt::Key_PageDown)},
                           [this] { change_level(studio(), -1); });
   menu->addSeparator();
-  QMenu* schemes = menu->addMenu(tr("Sc&heme"));
-  auto* compared = new QMenu(tr("Compare &with"), menu);
+  QMenu* schemes = menu->addMenu(tr("Scheme"));
+  auto* compared = new QMenu(tr("Compare with"), menu);
   make_scheme_actions(actions, schemes, compared);
   QAction* side = actions.add(menu, "compare", tr("Side by side with another scheme"), {QKeySequence("L")},
                               [this] { compare(host().action("compare")->isChecked()); });
@@ -296,9 +296,9 @@ void SubdivisionTool::make_actions(ActionList& actions) {
       host().attempt([&] { host().show_message(keep_selected_faces(studio(), kept)); });
     });
   };
-  add_keep("keep-shape", tr("&Keep the shape of the selected faces"), KeptShape::Faces);
-  add_keep("keep-outline", tr("Keep their &outline"), KeptShape::Outline);
-  actions_ << actions.add(actions.menu(MenuId::Create), "freeze", tr("&Mesh from what is shown"), {},
+  add_keep("keep-shape", tr("Keep the shape of the selected faces"), KeptShape::Faces);
+  add_keep("keep-outline", tr("Keep their outline"), KeptShape::Outline);
+  actions_ << actions.add(actions.menu(MenuId::Create), "freeze", tr("Mesh from what is shown"), {},
                           [this] { host().attempt([this] { freeze_level(studio()); }); });
 }
 

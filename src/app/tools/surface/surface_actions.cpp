@@ -95,37 +95,36 @@ void mirror_across(DrawnNetwork& network) {
 /// What is done to elements.
 std::vector<ActionRow> element_actions(DrawnNetwork& network) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
-  const QString mirror = tr("Mirror &across %1 = 0");
+  const QString mirror = tr("Mirror across %1 = 0");
   const auto run = [&network](auto work) { return [&network, work] { network.host.attempt([&] { work(network); }); }; };
-  return {
-      {"fill-loop",
-       tr("&Patch of the selected curves, or of the closed loop") + "\t" + tr("Enter"),
-       {},
-       run(fill_loop),
-       tr("Patch")},
-      {"toggle-join",
-       tr("&Smooth, or crease again") + "\t" + tr("S"),
-       {},
-       run([](DrawnNetwork& drawn) { drawn.act(other_join(drawn.network(), drawn.tool.selected().curves)); }),
-       tr("Smooth")},
-      {"split-element",
-       tr("S&plit the selected curve, or the patch that it divides"),
-       {},
-       run(split_selected),
-       tr("Split")},
-      {"merge-patches", tr("&Merge the two patches beside the selected curve"), {}, run(merge_patches), tr("Merge")},
-      {"turn-patches", tr("&Turn the selected patches round"), {}, run(turn_patches), tr("Turn")},
-      {"automatic-slope",
-       tr("Slopes along the selected curve &automatic"),
-       {},
-       run(make_slopes_automatic),
-       tr("Automatic")},
-      {},
-      {mirror_actions[0], mirror.arg(tr("x")), {}, run(mirror_across<0>), tr("Mirror")},
-      {mirror_actions[1], mirror.arg(tr("y")), {}, run(mirror_across<1>), tr("Mirror")},
-      {mirror_actions[2], mirror.arg(tr("z")), {}, run(mirror_across<2>), tr("Mirror")},
-      {"symmetric-edit", tr("S&ymmetric editing"), {}, run(toggle_symmetry), tr("Symmetric")},
-      {}};
+  return {{"fill-loop",
+           tr("Patch of the selected curves, or of the closed loop") + "\t" + tr("Enter"),
+           {},
+           run(fill_loop),
+           tr("Patch")},
+          {"toggle-join",
+           tr("Smooth, or crease again") + "\t" + tr("S"),
+           {},
+           run([](DrawnNetwork& drawn) { drawn.act(other_join(drawn.network(), drawn.tool.selected().curves)); }),
+           tr("Smooth")},
+          {"split-element",
+           tr("Split the selected curve, or the patch that it divides"),
+           {},
+           run(split_selected),
+           tr("Split")},
+          {"merge-patches", tr("Merge the two patches beside the selected curve"), {}, run(merge_patches), tr("Merge")},
+          {"turn-patches", tr("Turn the selected patches round"), {}, run(turn_patches), tr("Turn")},
+          {"automatic-slope",
+           tr("Slopes along the selected curve automatic"),
+           {},
+           run(make_slopes_automatic),
+           tr("Automatic")},
+          {},
+          {mirror_actions[0], mirror.arg(tr("x")), {}, run(mirror_across<0>), tr("Mirror")},
+          {mirror_actions[1], mirror.arg(tr("y")), {}, run(mirror_across<1>), tr("Mirror")},
+          {mirror_actions[2], mirror.arg(tr("z")), {}, run(mirror_across<2>), tr("Mirror")},
+          {"symmetric-edit", tr("Symmetric editing"), {}, run(toggle_symmetry), tr("Symmetric")},
+          {}};
 }
 
 void add_mode_actions(ToolHost& host, ActionList& actions) {
@@ -135,9 +134,9 @@ void add_mode_actions(ToolHost& host, ActionList& actions) {
     action->setToolTip(tip);
     action->setVisible(false);
   };
-  add_mode("patch", QObject::tr("&Patch"), QObject::tr("A click inside a loop of curves makes a patch (P)"));
-  add_mode("surface-point", QObject::tr("P&oint on a patch"), QObject::tr("A click on a patch and a drag pull it (T)"));
-  add_mode("inner-curve", QObject::tr("&Inner curve"), QObject::tr("A curve drawn on a patch pulls it (I)"));
+  add_mode("patch", QObject::tr("Patch"), QObject::tr("A click inside a loop of curves makes a patch (P)"));
+  add_mode("surface-point", QObject::tr("Point on a patch"), QObject::tr("A click on a patch and a drag pull it (T)"));
+  add_mode("inner-curve", QObject::tr("Inner curve"), QObject::tr("A curve drawn on a patch pulls it (I)"));
 }
 
 void add_plane_actions(DrawnNetwork& network, ActionList& actions, QMenu* planes) {
@@ -147,10 +146,10 @@ void add_plane_actions(DrawnNetwork& network, ActionList& actions, QMenu* planes
     action->setCheckable(true);
     choice->addAction(action);
   };
-  add_plane(0, QObject::tr("the &ground"), [&network] { network.tool.settings().plane = SurfacePlane::Ground; });
-  add_plane(1, QObject::tr("a plane across the &view"),
+  add_plane(0, QObject::tr("the ground"), [&network] { network.tool.settings().plane = SurfacePlane::Ground; });
+  add_plane(1, QObject::tr("a plane across the view"),
             [&network] { network.tool.settings().plane = SurfacePlane::View; });
-  add_plane(2, QObject::tr("a plane through what is &selected"), [&network] { draw_through_selected(network); });
+  add_plane(2, QObject::tr("a plane through what is selected"), [&network] { draw_through_selected(network); });
   actions.find("plane-ground")->setChecked(true);
 }
 
@@ -162,21 +161,21 @@ void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking
   QMenu* menu = actions.menu(MenuId::Surface);
   menu->addSeparator();
   for (QAction* action : add_rows(actions, menu, element_actions(network)))
-    action->setToolTip(action->text().remove('&'));
+    action->setToolTip(action->text());
   actions.find("symmetric-edit")->setCheckable(true);
-  add_plane_actions(network, actions, menu->addMenu(tr("&Draw on")));
+  add_plane_actions(network, actions, menu->addMenu(tr("Draw on")));
   menu->addSeparator();
   QAction* compare =
-      actions.add(menu, "compare-uniform", tr("&Uniform domain for comparison") + "\t" + tr("U"), {},
+      actions.add(menu, "compare-uniform", tr("Uniform domain for comparison") + "\t" + tr("U"), {},
                   [&network, &ghost] { ghost.set_on(network.host.action("compare-uniform")->isChecked()); });
   compare->setCheckable(true);
   compare->setIconText(tr("Uniform (U)"));
   actions
-      .add(menu, "normal-jump", tr("An&gles along smooth curves") + "\t" + tr("J"), {},
+      .add(menu, "normal-jump", tr("Angles along smooth curves") + "\t" + tr("J"), {},
            [&network] { network.show_jumps(network.host.action("normal-jump")->isChecked()); })
       ->setCheckable(true);
   // From whatever the active object is made of: strokes, edges.
-  QMenu* sources = actions.menu(MenuId::Create)->addMenu(tr("Su&rface from"));
+  QMenu* sources = actions.menu(MenuId::Create)->addMenu(tr("Surface from"));
   for (const OperationDescription* operation : taking.ways()) {
     QAction* action = actions.add(sources, taking_action(*operation), shown_text(operation->title), {},
                                   [&taking, id = operation->id] { taking.take(id); });

@@ -247,7 +247,7 @@ SurfaceDrawingTool::SurfaceDrawingTool(ToolHost& host)
 
 void SurfaceDrawingTool::make_actions(ActionList& actions) {
   QMenu* file = actions.menu(MenuId::File);
-  QAction* fresh = actions.add(file, "new-surface", tr("New s&urface"), {}, [this] {
+  QAction* fresh = actions.add(file, "new-surface", tr("New surface"), {}, [this] {
     if (host().start_with(studio().with_network(Document(), {}, studio().network_options()))) show_in_space();
   });
   file->insertAction(actions.find("open"), fresh);
