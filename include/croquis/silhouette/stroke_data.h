@@ -31,6 +31,9 @@ inline constexpr const char* kind_key = "kind";
 /// the first one's counts, of a named object that of its group.
 inline constexpr const char* thickness_key = "thickness";
 
+/// What people call the part that a stroke bounds, or all strokes of a group. It changes no shape.
+inline constexpr const char* title_key = "title";
+
 /// "behind": ids of strokes, separated by commas, that this one passes behind where they cross in full view, though it
 /// was drawn later; "all" for all drawn before it.
 inline constexpr const char* behind_key = "behind";

@@ -74,7 +74,7 @@ void make_number(ParameterField& field, const ParameterDescription& description)
     box->setSingleStep((scale.high - scale.low) / 100);
     static_cast<QHBoxLayout*>(field.layout())->setStretchFactor(slider, 1);
     slider->setRange(0, SliderScale::positions);
-    slider->setToolTip(shown_text(description.sentence));
+    slider->setToolTip(parameter_help(description));
     QObject::connect(slider, &QSlider::valueChanged, &field, [&field, box, slider, scale](int position) {
       const double value = number_words(scale.value_at(position), 3).toDouble();
       const QSignalBlocker quiet(box);
@@ -147,6 +147,7 @@ void make_text(ParameterField& field, const ParameterDescription& description) {
   });
 }
 
+constexpr std::size_t longest_unit = 8;  ///< "degrees"; longer ones are in the help, so that titles stay short
 constexpr int least_width = 52;  // three of them beside their title
 constexpr double farthest = 1e12;
 
@@ -167,14 +168,21 @@ ParameterField* make_parameter_field(const ParameterDescription& description, QW
     case ParameterType::File: make_text(*field, description); break;
   }
   field->setObjectName(QString::fromStdString(description.name));
-  field->setToolTip(shown_text(description.sentence));
+  field->setToolTip(parameter_help(description));
   return field;
 }
 
 QString parameter_title(const ParameterDescription& description) {
   QString title = shown_text(title_of(description));
-  if (!description.unit.empty()) title += " (" + shown_text(description.unit) + ")";
+  const bool is_short = description.unit.size() <= longest_unit;
+  if (!description.unit.empty() && is_short) title += " (" + shown_text(description.unit) + ")";
   return title;
+}
+
+QString parameter_help(const ParameterDescription& description) {
+  const QString sentence = shown_text(description.sentence);
+  if (description.unit.empty()) return sentence;
+  return sentence + '\n' + QObject::tr("Unit: %1").arg(shown_text(description.unit));
 }
 
 PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new QCheckBox(tr("Keep proportions"))) {
@@ -225,8 +233,11 @@ void PlacementFields::follow(const Studio& studio) {
   labels_[Position]->setText(unit.isEmpty() ? tr("Position") : tr("Position, %1").arg(unit));
   labels_[Rotation]->setText(tr("Rotation, °"));
   labels_[Size]->setText(unit.isEmpty() ? tr("Size") : tr("Size, %1").arg(unit));
+  // Of a place, a ten-thousandth of the size is as much as anybody reads.
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(shown_in(Size).norm(), 1e-9))) - 4);
   for (const Row row : {Position, Rotation, Size}) {
-    const Vec3 numbers = shown_in(row);
+    Vec3 numbers = shown_in(row);
+    if (row == Position) numbers = step * (numbers / step).array().round();
     for (int axis = 0; axis < 3; ++axis) {
       QDoubleSpinBox* field = boxes_[row][static_cast<std::size_t>(axis)];
       const QSignalBlocker quiet(field);
@@ -330,7 +341,7 @@ void AttributePanel::make_fields(const OperationDescription& description) {
               emit parameter_edited(node_, name, value, drag);
             });
     auto* label = new QLabel(parameter_title(parameter), this);
-    label->setToolTip(shown_text(parameter.sentence));
+    label->setToolTip(parameter_help(parameter));
     label->setBuddy(field);
     layout_->addRow(label, field);
     fields_[parameter.name] = field;

@@ -43,8 +43,11 @@ class ParameterField : public QWidget {
 /// Its object name is the parameter's name.
 ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent);
 
-/// "Smooth arcs (unit)"; of a parameter without a title "Weight curvature (unit)".
+/// "Smooth arcs", with its unit where that is a short word; of a parameter without a title "Weight curvature".
 QString parameter_title(const ParameterDescription& description);
+
+/// What it does, and its unit.
+QString parameter_help(const ParameterDescription& description);
 
 /// Where the active object stands, as numbers: the middle of its box, its rotation in degrees, and its size along its
 /// own axes.

@@ -3,6 +3,7 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QPainter>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -88,6 +89,15 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
   }
 }
 
+void FindingsList::paintEvent(QPaintEvent* event) {
+  QListWidget::paintEvent(event);
+  if (count() > 0) return;
+  QPainter painter(viewport());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(viewport()->rect().adjusted(6, 6, -6, -6), Qt::AlignTop | Qt::TextWordWrap,
+                   tr("Nothing is wrong. Problems of drawings and meshes are listed here."));
+}
+
 HistoryList::HistoryList(QWidget* parent) : QListWidget(parent) {
   setObjectName("history");
   setAccessibleName(tr("History"));
@@ -139,6 +149,7 @@ void ObjectList::show_objects(const Studio& studio) {
   if (state() == QAbstractItemView::EditingState) return;  // a name is being typed
   const QSignalBlocker quiet(this);
   clear();
+  renames_.clear();
   for (const WorkObject& object : studio.objects()) add_object(object, studio);
   for (int i = 0; i < topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = topLevelItem(i);
@@ -203,7 +214,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
   const Selection& selection = studio.session().selection();
   for (const ChainStep& step : steps) {
     const bool computed = step.state != StepState::Source;
-    const QString name = computed ? shown_text(step.title) : QString::fromStdString(readable_name(step.name));
+    const QString name = computed ? shown_text(step.title) : source_words(studio.session().document().find(step.node));
     auto* own = new QTreeWidgetItem(row, {name, words_of(step)});
     own->setData(0, node_role, qulonglong(step.node));
     own->setData(0, step_role, true);
@@ -232,6 +243,10 @@ void ObjectList::add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>&
     own->setData(0, opened_role, row.opened);
     own->setToolTip(0, row.tip);
     own->setForeground(1, colors::guide);
+    if (row.rename) {
+      own->setFlags(own->flags() | Qt::ItemIsEditable);
+      renames_[own] = row.rename;
+    }
     if (!row.made) own->setForeground(0, colors::guide);
     own->setSelected(std::ranges::any_of(row.parts, [&](const std::string& part) {
       return std::ranges::binary_search(selection, SelectedItem{node, part});
@@ -267,6 +282,12 @@ void ObjectList::take_click(QTreeWidgetItem* row) {
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const NodeId node = node_of(row);
   const QVariant group = row->data(0, group_role);
+  if (const auto part = renames_.find(row); part != renames_.end() && column == 0) {
+    QMetaObject::invokeMethod(
+        this, [rename = part->second, name = row->text(0).trimmed().toStdString()] { rename(name); },
+        Qt::QueuedConnection);
+    return;
+  }
   if ((node == 0 && group.isNull()) || column != 0 || is_part(row)) return;
   const bool checked = row->checkState(0) == Qt::Checked;
   // Receivers show all rows again.

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QTreeWidget>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,6 +27,9 @@ class FindingsList : public QListWidget {
   /// @param fixes what can be done about a finding: rows of their own below it
   void show_findings(const std::vector<NodeFinding>& findings, const std::function<QString(const NodeFinding&)>& owner,
                      const std::function<std::vector<QAction*>(const NodeFinding&)>& fixes);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;  ///< with what belongs here while nothing is wrong
 
  signals:
   /// The user wants to see what this one is about.
@@ -104,6 +108,7 @@ class ObjectList : public QTreeWidget {
   void choose_parts(NodeId node);
 
   Parts parts_;
+  std::map<QTreeWidgetItem*, std::function<void(const std::string&)>> renames_;  ///< of rows of parts
   std::set<std::pair<NodeId, QString>> turned_;  ///< rows that people opened or closed, other than they first are
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace croquis::app {
 /// An object's name for people.
 QString shown_name(const WorkObject& object);
 
+/// What a chain begins with: "Sketch", "Curves", "Mesh".
+QString source_words(const Node* source);
+
 /// A file's stem for what is worked on: the active object's name.
 std::string document_name(const Studio& studio);
 
@@ -26,7 +30,8 @@ struct ObjectRow {
   std::vector<std::string> parts;  ///< what is selected with it
   bool made = true;                ///< false: shown grey
   bool opened = true;              ///< the rows below it are seen at first
-  std::vector<ObjectRow> rows;
+  std::vector<ObjectRow> rows = {};
+  std::function<void(const std::string& name)> rename = {};  ///< of what people can rename; an empty name takes it back
 };
 
 }  // namespace croquis::app

@@ -256,7 +256,7 @@ class Tool : public QObject {
 
   // ---- The lists
   /// What the list of objects shows below a node of an object's chain.
-  virtual std::vector<ObjectRow> rows(const WorkObject&, NodeId) const { return {}; }
+  virtual std::vector<ObjectRow> rows(const WorkObject&, NodeId) { return {}; }
 
   /// Which part of an object a finding is about; empty where that isn't known or goes without saying.
   virtual QString owner_of(const NodeFinding&) const { return {}; }

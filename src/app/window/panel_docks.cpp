@@ -62,13 +62,19 @@ QDockWidget* PanelDocks::find(const QString& name) const {
   return found == panels_.end() ? nullptr : found->dock;
 }
 
-void PanelDocks::give_room_once(QDockWidget* dock, int width) {
+void PanelDocks::show_tool_panel(QDockWidget* dock, bool useful, int width) {
+  Panel* panel = panel_of(dock);
+  if (panel == nullptr) return;
+  const bool was_shown = !dock->isHidden();
+  panel->of_tool = true;
+  set_useful(dock, useful);
+  if (was_shown || dock->isHidden()) return;
+  dock->raise();
   if (room_given_ || roomy_.contains(dock)) return;
   roomy_ << dock;
   constexpr int most = 600, least = 80;
   window_.resizeDocks({dock}, {width}, Qt::Horizontal);
-  window_.resizeDocks({find("objects"), dock, find("findings"), find("history")}, {least, most, least, least},
-                      Qt::Vertical);
+  window_.resizeDocks({find("objects"), dock, find("findings")}, {least, most, least}, Qt::Vertical);
 }
 
 void PanelDocks::set_room_given(bool given) {
@@ -77,9 +83,9 @@ void PanelDocks::set_room_given(bool given) {
 }
 
 void PanelDocks::give_first_sizes() {
-  const QList<QDockWidget*> own = all().mid(0, 4);
-  window_.resizeDocks(own, {210, 360, 80, 110}, Qt::Vertical);
-  window_.resizeDocks(own, {310, 310, 310, 310}, Qt::Horizontal);
+  const QList<QDockWidget*> own = all().mid(0, 3);
+  window_.resizeDocks(own, {170, 480, 110}, Qt::Vertical);
+  window_.resizeDocks(own, {310, 310, 310}, Qt::Horizontal);
 }
 
 QList<QDockWidget*> PanelDocks::all() const {
@@ -129,6 +135,9 @@ void PanelDocks::set_closed(const QStringList& names) {
 void PanelDocks::show_all(bool shown) {
   shown_ = shown;
   for (const Panel& panel : panels_) apply(panel);
+  for (const Panel& panel : panels_) {
+    if (panel.of_tool && !panel.dock->isHidden()) panel.dock->raise();
+  }
 }
 
 /// Docks are closed by people alone: the window hides them.

@@ -39,8 +39,9 @@ class PanelDocks : public QObject {
   /// The panel of that name, or null.
   QDockWidget* find(const QString& name) const;
 
-  /// The first time that it appears, a panel gets that much width and most of the height; people's own sizes are kept.
-  void give_room_once(QDockWidget* dock, int width);
+  /// The panel of a tool, which shares a place with others: it comes to the front when there begins to be something to
+  /// show in it. The first time it gets that much width and most of the height; people's own sizes are kept.
+  void show_tool_panel(QDockWidget* dock, bool useful, int width);
   void set_room_given(bool given);
 
   /// The sizes that the panels of the window itself, which were added first, have before people give them others.
@@ -72,6 +73,7 @@ class PanelDocks : public QObject {
     QDockWidget* dock = nullptr;
     bool useful = true;
     bool wanted = true;
+    bool of_tool = false;
   };
 
   Panel* panel_of(const QDockWidget* dock);

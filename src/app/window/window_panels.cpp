@@ -270,10 +270,14 @@ void show_lists(MainWindow& window, ObjectList* objects, FindingsList* findings,
   std::vector<NodeFinding> all;
   for (const Finding& finding : window.files().warnings()) all.push_back({0, finding});
   for (const NodeFinding& found : findings_of(studio)) all.push_back(found);
+  const bool were_none = findings->count() == 0;
   findings->show_findings(
       all, [&](const NodeFinding& found) { return owner_of(window, found); },
       [&](const NodeFinding& found) { return fixes_of(window, found); });
   history->show_history(session.undo_labels(), session.redo_labels());
+  // They share one place: what is wrong comes to the front when it begins, and leaves it when all is well.
+  if (were_none != (findings->count() == 0))
+    window.parts().docks->find(were_none ? "findings" : "history")->raise();
   QString status;
   for (const auto& tool : window.tools()) {
     if (status.isEmpty()) status = tool->words().status;
@@ -382,8 +386,8 @@ std::function<void()> add_panels(MainWindow& window) {
   column->addWidget(attributes, 1);
   docks->add(QObject::tr("Objects"), objects, "objects");
   docks->add(QObject::tr("Attributes"), scrolled(fields), "attributes");
-  docks->add(QObject::tr("Findings"), findings, "findings");
   docks->add(QObject::tr("History"), history, "history");
+  docks->tabify("history", docks->add(QObject::tr("Findings"), findings, "findings"));
   take_attributes(window, attributes, placement);
   take_objects(window, objects);
   take_lists(window, findings, history);

@@ -46,8 +46,9 @@ void StrokeReading::describe(Fields& fields) {
   fields.seldom("in-front-of", in_front_of);
   fields.seldom("thickness", thickness);
   fields.require(!thickness || *thickness > 0, "\"thickness\" must be a number above 0");
-  fields.require(kind.has_value() + in_front_of.has_value() + thickness.has_value() == 1,
-                 "one of \"kind\", \"in-front-of\" and \"thickness\" is set");
+  fields.seldom("title", title);
+  fields.require(kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() == 1,
+                 "one of \"kind\", \"in-front-of\", \"thickness\" and \"title\" is set");
 }
 
 const Vocabulary& sketch_steps() {

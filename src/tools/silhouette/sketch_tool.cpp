@@ -55,6 +55,7 @@ std::string setting_label(const recorded::StrokeReading& setting) {
   const std::string stroke = named(setting.stroke);
   if (setting.in_front_of) return "Bring " + stroke + " in front of " + named(*setting.in_front_of);
   if (setting.kind == silhouette::StrokeKind::Visible) return "Find what " + stroke + " is";
+  if (setting.title) return setting.title->empty() ? "Take the name off " + stroke : "Rename a part to " + *setting.title;
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }
@@ -329,6 +330,7 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   const std::string& id = setting.stroke;
   DrawingEdit edit = setting.kind          ? set_kind(now, id, *setting.kind)
                      : setting.in_front_of ? set_in_front(now, id, *setting.in_front_of)
+                     : setting.title       ? set_title(now, id, *setting.title)
                                            : set_thickness(now, id, setting.thickness.value_or(1));
   if (!dragging && !goes_on) return commit(SketchChange{std::move(edit), setting_label(setting), setting});
   if (!goes_on) drag_.begin(setting_label(setting));

@@ -46,9 +46,20 @@ void set_behind(Stroke& stroke, const std::vector<std::string>& names) {
   set_entry(stroke.data, silhouette::behind_key, text);
 }
 
-/// Where the factor of the part that a stroke bounds is kept.
-Data& thickness_data(Drawing& drawing, Stroke& stroke) {
+/// Where what is said of the part that a stroke bounds is kept.
+Data& part_data(Drawing& drawing, Stroke& stroke) {
   return stroke.object.empty() ? stroke.data : drawing.object_data[stroke.object];
+}
+
+/// What is said there; empty for nothing.
+std::string said_of_part(const Drawing& drawing, const std::string& id, const char* key) {
+  const Stroke* stroke = find_stroke(drawing, id);
+  if (stroke == nullptr) return {};
+  const auto group = drawing.object_data.find(stroke->object);
+  if (!stroke->object.empty() && group == drawing.object_data.end()) return {};
+  const Data& data = stroke->object.empty() ? stroke->data : group->second;
+  const auto found = data.find(key);
+  return found == data.end() ? std::string() : found->second;
 }
 
 }  // namespace
@@ -82,20 +93,24 @@ DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const
 DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double factor) {
   DrawingEdit edit{drawing, {}, {id}, {}};
   const double limited = std::clamp(factor, least_thickness, most_thickness);
-  Data& data = thickness_data(edit.drawing, stroke_of(edit.drawing, id));
+  Data& data = part_data(edit.drawing, stroke_of(edit.drawing, id));
   set_entry(data, silhouette::thickness_key, limited == 1 ? "" : to_text(limited));
   return edit;
 }
 
+DrawingEdit set_title(const Drawing& drawing, const std::string& id, const std::string& title) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  set_entry(part_data(edit.drawing, stroke_of(edit.drawing, id)), silhouette::title_key, title);
+  return edit;
+}
+
+std::string title_of(const Drawing& drawing, const std::string& id) {
+  return said_of_part(drawing, id, silhouette::title_key);
+}
+
 double thickness_of(const Drawing& drawing, const std::string& id) {
-  const Stroke* stroke = find_stroke(drawing, id);
-  if (stroke == nullptr) return 1;
-  const auto group = drawing.object_data.find(stroke->object);
-  if (!stroke->object.empty() && group == drawing.object_data.end()) return 1;
-  const Data& data = stroke->object.empty() ? stroke->data : group->second;
-  const auto found = data.find(silhouette::thickness_key);
   double factor = 1;
-  const bool read = found != data.end() && read_number(found->second, factor);
+  const bool read = read_number(said_of_part(drawing, id, silhouette::thickness_key), factor);
   return read && factor > 0 ? std::clamp(factor, least_thickness, most_thickness) : 1;
 }
 

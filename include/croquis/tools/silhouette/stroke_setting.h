@@ -25,6 +25,13 @@ DrawingEdit set_in_front(const Drawing& drawing, const std::string& front, const
 /// @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double factor);
 
+/// Says what the part that a stroke bounds is called. Where the drawing names the part, its group has the title.
+/// @param title empty: it is called by its shape again; @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_title(const Drawing& drawing, const std::string& id, const std::string& title);
+
+/// What was set; empty where nothing was, and for an unknown stroke.
+std::string title_of(const Drawing& drawing, const std::string& id);
+
 /// What was set; 1 where nothing or nonsense was. 1 for an unknown stroke.
 double thickness_of(const Drawing& drawing, const std::string& id);
 

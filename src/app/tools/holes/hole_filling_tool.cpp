@@ -82,7 +82,7 @@ std::vector<ObjectRow> rows_of_patches(const std::vector<FaceSet>& sets) {
     const auto count = qulonglong(set.faces.size());
     const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
     const QString tip = tr("Click to select these faces; F frames them");
-    const ObjectRow row{QString::fromStdString(set.name), info, tip, {set.name}, true, false, {}};
+    const ObjectRow row{QString::fromStdString(set.name), info, tip, {set.name}, true, false};
     (rows.empty() ? rows : rows.front().rows).push_back(row);
   }
   return rows;
@@ -130,11 +130,7 @@ void HoleFillingTool::make_panels(PanelDocks& panels) {
 
 void HoleFillingTool::refresh() {
   refresh_hole_actions(holes_, actions_);
-  const bool was_shown = !dock_->isHidden();
-  panels_->set_useful(dock_, holes_.works());
-  const bool appears = !was_shown && !dock_->isHidden();
-  if (appears) dock_->raise();
-  if (appears) panels_->give_room_once(dock_, wanted_width);
+  panels_->show_tool_panel(dock_, holes_.works(), wanted_width);
   panel_->follow();
 }
 
@@ -289,7 +285,7 @@ void HoleFillingTool::place_chips(ChipPlaces& places) {
   pins_.show_pins(std::move(pins), holes_);
 }
 
-std::vector<ObjectRow> HoleFillingTool::rows(const WorkObject& object, NodeId node) const {
+std::vector<ObjectRow> HoleFillingTool::rows(const WorkObject& object, NodeId node) {
   return node == object.node ? rows_of_patches(studio().face_sets().of(object)) : std::vector<ObjectRow>();
 }
 

@@ -42,7 +42,7 @@ class HoleFillingTool final : public Tool {
   std::optional<SelectionFrame> selection_frame(int view) const override;
   void place_chips(ChipPlaces& places) override;
 
-  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
+  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) override;
 
  protected:
   void feed(const std::vector<PenStep>& steps) override;

@@ -288,7 +288,7 @@ void EditPanel::make_fields(const EditDescription& edit) {
     connect(field, &ParameterField::edited, this,
             [this, name = parameter.name](const ParameterValue& value, bool) { adjust(name, value); });
     auto* label = new QLabel(parameter_title(parameter), this);
-    label->setToolTip(shown_text(parameter.sentence));
+    label->setToolTip(parameter_help(parameter));
     label->setBuddy(field);
     layout_->addRow(label, field);
     fields_[parameter.name] = field;

@@ -83,16 +83,15 @@ PerspectiveDrawingTool::PerspectiveDrawingTool(ToolHost& host)
 void PerspectiveDrawingTool::make_panels(PanelDocks& docks) {
   panel_ = make_perspective_panel(sheet_);
   dock_ = docks.add(tr("Perspective"), scrolled(panel_), "perspective");
+  docks.tabify("attributes", dock_);
   docks.set_useful(dock_, false);
   docks_ = &docks;
 }
 
 void PerspectiveDrawingTool::refresh() {
   refresh_sheet_actions(sheet_);
-  docks_->set_useful(dock_, sheet_.is_there());
-  if (!sheet_.is_there()) return;
-  docks_->give_room_once(dock_, sheet_panel_width);
-  panel_->follow();
+  docks_->show_tool_panel(dock_, sheet_.is_there(), sheet_panel_width);
+  if (sheet_.is_there()) panel_->follow();
 }
 
 void PerspectiveDrawingTool::set_mode(const QString& mode) {

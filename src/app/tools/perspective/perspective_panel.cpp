@@ -25,7 +25,7 @@ struct SheetShape {
   double aspect;  ///< width / height
 };
 
-constexpr std::array<SheetShape, 5> shapes{{{"4:3", 4.0 / 3},
+constexpr std::array<SheetShape, 5> sheet_shapes{{{"4:3", 4.0 / 3},
                                             {"3:2", 3.0 / 2},
                                             {"16:9", 16.0 / 9},
                                             {QT_TR_NOOP("A4 landscape"), std::numbers::sqrt2},
@@ -113,17 +113,17 @@ void add_camera(Panel& panel, Sheet& sheet) {
 /// Width and height of the sheet, or one of the usual shapes.
 void add_sheet(Panel& panel, Sheet& sheet) {
   QStringList words{Panel::tr("Other")};
-  for (const SheetShape& shape : shapes) words << Panel::tr(shape.name);
+  for (const SheetShape& shape : sheet_shapes) words << Panel::tr(shape.name);
   const auto shape_of = [&sheet] {
     const Vec2 size = sheet.drawing().image_size;
     // Sides are whole pixels: the shape is right up to one of them.
     const auto fits = [&](const SheetShape& shape) { return std::abs(size.x() - shape.aspect * size.y()) <= 1; };
-    const auto found = std::ranges::find_if(shapes, fits);
-    return found == shapes.end() ? 0 : 1 + static_cast<int>(found - shapes.begin());
+    const auto found = std::ranges::find_if(sheet_shapes, fits);
+    return found == sheet_shapes.end() ? 0 : 1 + static_cast<int>(found - sheet_shapes.begin());
   };
   const auto take_shape = [&sheet](int index) {
     if (index < 1) return;
-    const double aspect = shapes[static_cast<std::size_t>(index - 1)].aspect;
+    const double aspect = sheet_shapes[static_cast<std::size_t>(index - 1)].aspect;
     const double longer = sheet.drawing().image_size.maxCoeff();
     sheet.take(recorded::SheetSize{aspect > 1 ? Vec2(longer, std::round(longer / aspect))
                                               : Vec2(std::round(longer * aspect), longer)});

@@ -64,7 +64,7 @@ ObjectRow row_of(const Body& body) {
   const auto count = body.strokes.size();
   const QString info =
       count == 1 ? SilhouetteTool::tr("1 stroke") : SilhouetteTool::tr("%1 strokes").arg(qulonglong(count));
-  return {body.name, info, joined(body.strokes), body.strokes, true, true, {}};
+  return {body.name, info, joined(body.strokes), body.strokes};
 }
 
 /// What replays can ask of sketches.
@@ -139,8 +139,9 @@ std::map<NodeId, render::LineItemPtr> lines_on_solids(const Studio& studio) {
   return items;
 }
 
-/// The bodies of a sketch's solid, and strokes that belong to none.
-std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, NodeId node) {
+/// The bodies of a sketch's solid, and strokes that belong to none. @param rename gives a stroke's body a title
+std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, NodeId node,
+                               const std::function<void(const std::string&, const std::string&)>& rename) {
   const auto drawing =
       node == object.chain.front() ? source_of<Drawing>(studio.session().document().find(node)) : nullptr;
   std::vector<ObjectRow> rows;
@@ -152,15 +153,20 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
   std::set<std::string> used;
   for (const Body& body : bodies_in(studio, object, *drawing)) {
     rows.push_back(row_of(body));
+    rows.back().rename = [rename, stroke = body.strokes.front()](const std::string& title) { rename(stroke, title); };
     used.insert(body.strokes.begin(), body.strokes.end());
   }
+  std::map<QString, int> counts;
   for (const Stroke& stroke : drawing->strokes) {
-    const QString name = QString::fromStdString(stroke.id);
     if (used.contains(stroke.id)) continue;
     const auto kind = kinds.find(stroke.id);
     const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
-    rows.push_back(
-        {name, kind == kinds.end() ? QString() : word_of(kind->second), name, {stroke.id}, on_surface, true, {}});
+    const QString word = kind == kinds.end() ? SilhouetteTool::tr("Line") : word_of(kind->second);
+    rows.push_back({QObject::tr("%1 %2").arg(word).arg(++counts[word]),
+                    {},
+                    QString::fromStdString(stroke.id),
+                    {stroke.id},
+                    on_surface});
   }
   return rows;
 }
@@ -405,8 +411,11 @@ void SilhouetteTool::make_replays(Replays& replays) {
   add_counts(replays, studio());
 }
 
-std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) const {
-  return rows_of(studio(), object, node);
+std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) {
+  return rows_of(studio(), object, node, [this, sketch = object.node](const std::string& stroke, const std::string& title) {
+    studio().set_active(sketch);
+    chips_.set({.stroke = stroke, .title = title});
+  });
 }
 
 QString SilhouetteTool::owner_of(const NodeFinding& found) const {

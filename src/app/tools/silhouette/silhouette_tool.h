@@ -41,7 +41,7 @@ class SilhouetteTool final : public Tool {
   std::optional<SelectionFrame> selection_frame(int view) const override;
   void place_chips(ChipPlaces& places) override;
 
-  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) const override;
+  std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) override;
   QString owner_of(const NodeFinding& found) const override;
 
  protected:

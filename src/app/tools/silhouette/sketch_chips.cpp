@@ -10,17 +10,13 @@
 
 #include <Eigen/Geometry>
 
+#include "app/tools/silhouette/part_names.h"
+#include "app/views/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
-
-/// The name that the drawing gives to what these strokes make, or empty: then it is called by its first stroke.
-std::string given_name(const Drawing& drawing, const std::string& name) {
-  const bool given = std::ranges::any_of(drawing.strokes, [&](const Stroke& stroke) { return stroke.object == name; });
-  return given ? name : std::string();
-}
 
 bool is_about(const Body& body, const std::vector<std::string>& strokes) {
   return std::ranges::any_of(strokes,
@@ -111,14 +107,8 @@ std::vector<Body> bodies_of(const Drawing& drawing, const Evaluation* solid) {
   const InflateResult* inflated = result_of<InflateResult>(solid);
   std::vector<Body> bodies;
   if (inflated == nullptr) return bodies;
-  for (const InflatedObject& object : inflated->objects) {
-    Body body;
-    body.strokes = object.strokes;
-    const std::string given = given_name(drawing, object.name);
-    body.name =
-        given.empty() ? QObject::tr("Body %1").arg(bodies.size() + 1) : QString::fromStdString(readable_name(given));
-    bodies.push_back(std::move(body));
-  }
+  const std::vector<QString> names = part_names(drawing, *inflated);
+  for (std::size_t i = 0; i < names.size(); ++i) bodies.push_back({names[i], inflated->objects[i].strokes});
   return bodies;
 }
 

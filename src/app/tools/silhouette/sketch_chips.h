@@ -19,7 +19,7 @@ namespace croquis::app {
 // The parts of a sketch's solid. Documents, recordings and reports call them by their first strokes.
 
 struct Body {
-  QString name;                      ///< "Body 1"; the name that the drawing gives it, where it does
+  QString name;                      ///< see part_names
   std::vector<std::string> strokes;  ///< that it is made of
 };
 
@@ -81,6 +81,9 @@ class SketchChips : public QObject {
 
   void place(ChipPlaces& places, bool shown);
 
+  /// Nothing for a stroke that isn't there any more.
+  void set(const recorded::StrokeReading& setting, bool dragging = false);
+
  signals:
   void committed(const croquis::recorded::Step& step);
 
@@ -97,7 +100,6 @@ class SketchChips : public QObject {
   AttachText attach() const;
   void set_attach(const AttachText& attach, const QString& step, bool dragging);
   QString seam_step(const Joint& joint) const;
-  void set(const recorded::StrokeReading& setting, bool dragging);
 
   Studio& studio_;
   SketchTool& tool_;

@@ -271,9 +271,8 @@ void SurfaceDrawingTool::refresh() {
   chips_.follow();
   refresh_surface_actions(network_, ghost_, taking_);
   if (docks_ == nullptr) return;
-  docks_->set_useful(dock_, network_.is_there());
   docks_->set_useful(domain_dock_, network_.is_there());
-  if (network_.is_there()) docks_->give_room_once(dock_, surface_panel_width);
+  docks_->show_tool_panel(dock_, network_.is_there(), surface_panel_width);
   follow_panels();
 }
 
