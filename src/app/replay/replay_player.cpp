@@ -22,14 +22,14 @@ namespace {
 constexpr int longest_wait_ms = 60'000;
 constexpr int replay_pause_ms = 20;
 
+}  // namespace
+
 void play_step(const Replays& replays, const recorded::Step& step) {
   const auto plays = replays.plays.find(&step.kind());
   const bool is_played =
       plays != replays.plays.end() && std::ranges::any_of(plays->second, [&](const auto& does) { return does(step); });
   if (!is_played) refuse_replay("The window can't replay this step");
 }
-
-}  // namespace
 
 void wait_until_settled(MainWindow& window) {
   QElapsedTimer watch;

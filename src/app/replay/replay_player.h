@@ -10,10 +10,14 @@
 namespace croquis::app {
 
 class MainWindow;
+struct Replays;
 
 /// Plays recorded steps in a window, as a user would: docs/replays.md. The tools play the steps that are theirs.
 /// @throws Error (E_REPLAY naming the line) when a step can't be done or an expectation fails
 void play(MainWindow& window, const std::vector<recorded::Line>& lines);
+
+/// Does one step. @throws Error (E_REPLAY …) when it can't be done
+void play_step(const Replays& replays, const recorded::Step& step);
 
 /// Waits until the solid of the document as it is now is final; keeps the window alive meanwhile.
 /// @throws Error (E_LIMIT) after a minute

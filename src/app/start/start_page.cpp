@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/action_list.h"
+
 namespace croquis::app {
 namespace {
 
@@ -92,6 +94,10 @@ QWidget* StartPage::make_side(QWidget* page) {
   starts_ = new QVBoxLayout;
   left->addLayout(starts_);
   connect(add_button(tr("Open…"), "open-file"), &QPushButton::clicked, this, &StartPage::open_wanted);
+  tours_ = new QVBoxLayout;
+  tours_->setSpacing(0);
+  tours_->addWidget(heading(tr("Tours"), side));
+  left->addLayout(tours_);
   recovery_ = new QVBoxLayout;
   left->addLayout(recovery_);
   recent_ = new QVBoxLayout;
@@ -163,6 +169,14 @@ void StartPage::add_start(QAction& action) {
   button->setObjectName("start-" + action.objectName());
   connect(button, &QPushButton::clicked, &action, &QAction::trigger);
   starts_->addWidget(button);
+}
+
+void StartPage::add_tour(QAction& action) {
+  auto* link = new QPushButton(without_marks(action.text()), this);
+  link->setObjectName("start-" + action.objectName());
+  link->setFlat(true);
+  connect(link, &QPushButton::clicked, &action, &QAction::trigger);
+  tours_->addWidget(link, 0, Qt::AlignLeft);
 }
 
 void StartPage::show_recent(const QStringList& projects) {

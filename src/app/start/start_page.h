@@ -35,6 +35,9 @@ class StartPage : public QWidget {
   /// A button for another way to start, below the one for sketches.
   void add_start(QAction& action);
 
+  /// A link that begins a tour.
+  void add_tour(QAction& action);
+
   void show_recent(const QStringList& projects);
   void show_recoverable(const std::vector<RecoveryOffer>& offers);
 
@@ -72,6 +75,7 @@ class StartPage : public QWidget {
 
   QPushButton* back_;
   QVBoxLayout* starts_;
+  QVBoxLayout* tours_;
   QVBoxLayout* recovery_;
   QVBoxLayout* recent_;
   std::vector<Gallery> galleries_;

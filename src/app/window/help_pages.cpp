@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/tours/tour_bar.h"
 #include "app/views/viewport.h"
 #include "app/window/command_palette.h"
 #include "app/window/language.h"
@@ -156,6 +157,7 @@ void add_help_menu(MainWindow& window) {
   add("help-examples", QObject::tr("Examples"), {}, [&window] {
     if (window.shows_views()) show_start_page(window);
   });
+  add_tour_actions(window, menu->addMenu(QObject::tr("Tours")));
   menu->addSeparator();
   add("help-diagnostics", QObject::tr("Copy diagnostics"), {}, [&window] {
     QApplication::clipboard()->setText(diagnostics(window));

@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <QVBoxLayout>
 #include <memory>
 #include <utility>
 
@@ -22,6 +23,7 @@
 #include "app/replay/replay_player.h"
 #include "app/start/gallery.h"
 #include "app/start/start_page.h"
+#include "app/tours/tour_bar.h"
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/help_pages.h"
@@ -179,6 +181,7 @@ void follow_start_page(MainWindow& window) {
   StartPage* page = window.parts().start_page;
   for (QAction* one : window.actions()) {
     if (one->objectName().startsWith("new-")) page->add_start(*one);
+    if (one->objectName().startsWith("help-tour-")) page->add_tour(*one);
   }
   const auto take = [&window, page](auto signal, auto work) { QObject::connect(page, signal, &window, work); };
   take(&StartPage::new_sketch_wanted, [&window] { window.start_with(); });
@@ -205,8 +208,13 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
   setAcceptDrops(true);
   setAnimated(false);  // each step of it would give the views another size, and draw them
   give_first_size(*this);
-  parts_.pages = new QStackedWidget(this);
-  setCentralWidget(parts_.pages);
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  parts_.pages = new QStackedWidget(middle);
+  column->addWidget(parts_.pages, 1);
+  setCentralWidget(middle);
   parts_.start_page = new StartPage(parts_.pages);
   parts_.viewport = new Viewport(parts_.studio, parts_.pages);
   parts_.pages->addWidget(parts_.start_page);
@@ -227,6 +235,7 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
 
 MainWindow::~MainWindow() {
   // Both use the studio, on other threads too; children would be destroyed after it.
+  delete findChild<TourBar*>();
   delete parts_.thumbnails;
   set_tools(parts_.viewport->views(), {});
   parts_.tools.clear();
@@ -301,6 +310,7 @@ void MainWindow::record_to(const QString& path) {
 
 void MainWindow::record(const recorded::Step& step) {
   if (parts_.recorder) parts_.recorder->add(step);
+  emit step_recorded(step);
 }
 
 bool MainWindow::settled() {

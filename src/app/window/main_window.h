@@ -104,6 +104,10 @@ class MainWindow : public QMainWindow, public ToolHost {
   /// Nothing that the window shows is still being made.
   bool settled();
 
+ signals:
+  /// Something was done that recordings have, or would have.
+  void step_recorded(const croquis::recorded::Step& step);
+
  protected:
   bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
