@@ -15,6 +15,9 @@ namespace croquis::app {
 /// An object's name for people.
 QString shown_name(const WorkObject& object);
 
+/// Of an object, a group or a stroke: names that nobody typed ("Sketch 2") are in the language in use.
+QString shown_name(const std::string& name);
+
 /// A file's stem for what is worked on: the active object's name.
 std::string document_name(const Studio& studio);
 

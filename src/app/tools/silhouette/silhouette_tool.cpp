@@ -56,7 +56,7 @@ std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, cons
 
 QString joined(const std::vector<std::string>& texts) {
   QStringList list;
-  for (const std::string& text : texts) list << QString::fromStdString(text);
+  for (const std::string& text : texts) list << shown_name(text);
   return list.join(", ");
 }
 
@@ -155,7 +155,7 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
     used.insert(body.strokes.begin(), body.strokes.end());
   }
   for (const Stroke& stroke : drawing->strokes) {
-    const QString name = QString::fromStdString(stroke.id);
+    const QString name = shown_name(stroke.id);
     if (used.contains(stroke.id)) continue;
     const auto kind = kinds.find(stroke.id);
     const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
