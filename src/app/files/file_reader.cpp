@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/base/error.h"
 #include "croquis/io/attribute_network_file.h"
@@ -241,7 +242,7 @@ void FileReader::take(const QString& path, std::shared_ptr<const ReadFile> file,
 QStringList sentences_of(const Findings& findings, const QString& path) {
   QStringList lines;
   for (const Finding& finding : findings) {
-    QString sentence = QString::fromStdString(finding.message);
+    QString sentence = localized(finding.message);
     if (!path.isEmpty()) sentence.replace(path, QFileInfo(path).fileName());
     lines << (sentence.endsWith('.') ? sentence : sentence + ".");
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/files/file_reader.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/mesh_topology.h"
@@ -84,7 +85,7 @@ ExportCheck check_export(const PolyMesh& mesh, Progress& progress) {
 
 QString summary_of(const MeshReport& figures, const QString& unit) {
   QStringList parts = {figures.closed ? QObject::tr("closed") : QObject::tr("open"),
-                       QString::fromStdString(counted(figures.faces, "face", "faces"))};
+                       localized(counted(figures.faces, "face", "faces"))};
   if (figures.bounds) {
     const Vec3 size = (*figures.bounds)[1] - (*figures.bounds)[0];
     QStringList lengths;

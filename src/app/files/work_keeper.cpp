@@ -4,6 +4,7 @@
 #include <QFile>
 #include <utility>
 
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -84,7 +85,7 @@ void WorkKeeper::save() {
       if (!items.empty())
         working_copy_->commit(document, path, thumbnail_of(items), kept);  // later: pictures take longer
     } catch (const Error& error) {
-      emit failed(tr("Your work is not being backed up: %1.").arg(error.what()));
+      emit failed(tr("Your work is not being backed up: %1.").arg(localized(error.what())));
     }
   });
 }

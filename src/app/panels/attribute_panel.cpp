@@ -294,7 +294,7 @@ void AttributePanel::show_edits(const std::string& lines) {
   edits_->clear();
   try {
     for (const EditLine& line : parse_edit_lines(lines)) {
-      edits_->addItem(QString::fromStdString(label_of(line, std::string("all ") + plural(line.target.kind))));
+      edits_->addItem(localized(label_of(line, std::string("all ") + plural(line.target.kind))));
     }
   } catch (const Error&) {
     edits_->addItem(tr("The edits can't be read"));

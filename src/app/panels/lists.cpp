@@ -26,7 +26,7 @@ bool is_part(const QTreeWidgetItem* row) { return !row->data(0, parts_role).toSt
 
 QString words_of(const ChainStep& step) {
   switch (step.state) {
-    case StepState::Held: return ObjectList::tr("waits for %1").arg(QString::fromStdString(step.waits_for));
+    case StepState::Held: return ObjectList::tr("waits for %1").arg(localized(step.waits_for));
     case StepState::Computing: return ObjectList::tr("computing …");
     case StepState::Stale: return ObjectList::tr("failed, shows its last result");
     case StepState::Failed: return ObjectList::tr("failed");
@@ -74,7 +74,7 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
   clear();
   rows_.clear();
   for (const NodeFinding& found : findings) {
-    const QString sentence = QString::fromStdString(found.finding.message);
+    const QString sentence = localized(found.finding.message);
     const QString name = owner(found);
     auto* row = new QListWidgetItem(name.isEmpty() ? sentence : tr("%1: %2").arg(name, sentence), this);
     row->setForeground(sentence_color(found.finding.severity));
@@ -108,10 +108,10 @@ void HistoryList::show_history(const std::vector<std::string>& done, const std::
   const QSignalBlocker quiet(this);
   clear();
   addItem(tr("Start"));
-  for (const std::string& label : done) addItem(QString::fromStdString(label));
+  for (const std::string& label : done) addItem(localized(label));
   setCurrentRow(count() - 1);
   for (const std::string& label : undone) {
-    addItem(QString::fromStdString(label));
+    addItem(localized(label));
     item(count() - 1)->setForeground(colors::guide);
   }
   scrollToItem(currentItem());
@@ -172,7 +172,8 @@ QTreeWidgetItem* ObjectList::group_row(const std::string& group) {
   for (int i = 0; i < topLevelItemCount(); ++i) {
     if (topLevelItem(i)->data(0, group_role).toString() == name) return topLevelItem(i);
   }
-  auto* row = new QTreeWidgetItem(this, {name, QString()});
+  auto* row = new QTreeWidgetItem(this, {shown_name(group), QString()});
+  row->setData(0, name_role, shown_name(group));
   row->setForeground(1, colors::guide);
   row->setData(0, group_role, name);
   row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
@@ -224,7 +225,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
       own->setCheckState(0, step.state == StepState::Off ? Qt::Unchecked : Qt::Checked);
     }
     own->setToolTip(0, step.problem.empty() ? tr("A step: click shows its numbers, the right button what can be done")
-                                            : QString::fromStdString(step.problem));
+                                            : localized(step.problem));
     own->setToolTip(1, own->toolTip(0));
     if (step.state == StepState::Off) own->setForeground(0, colors::guide);
     own->setSelected(step.node != object.node && is_selected(selection, step.node));
@@ -297,7 +298,7 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
     return;
   }
   // Shown names are not those of the document: only what was typed becomes one.
-  const bool typed = row->text(0) != (group.isNull() ? row->data(0, name_role) : group).toString();
+  const bool typed = row->text(0) != row->data(0, name_role).toString();
   const std::string name = row->text(0).toStdString();
   QMetaObject::invokeMethod(
       this,

@@ -2,10 +2,21 @@
 #include "app/panels/object_names.h"
 
 #include <QObject>
+#include <QRegularExpression>
+
+#include "app/window/language.h"
 
 namespace croquis::app {
 
-QString shown_name(const WorkObject& object) { return QString::fromStdString(readable_name(object.name)); }
+QString shown_name(const WorkObject& object) { return shown_name(object.name); }
+
+QString shown_name(const std::string& name) {
+  // Names that nobody typed.
+  static const QRegularExpression given(QStringLiteral("^(Sketch|Perspective|Surface|Group|stroke)( \\d+)?$"));
+  const std::string readable = readable_name(name);
+  const QString text = QString::fromStdString(readable);
+  return given.match(text).hasMatch() ? localized(readable) : text;
+}
 
 QString source_words(const Node* source) {
   if (source == nullptr || !source->source) return {};

@@ -16,6 +16,9 @@ namespace croquis::app {
 /// An object's name for people.
 QString shown_name(const WorkObject& object);
 
+/// Of an object, a group or a stroke: names that nobody typed ("Sketch 2") are in the language in use.
+QString shown_name(const std::string& name);
+
 /// What a chain begins with: "Sketch", "Curves", "Mesh".
 QString source_words(const Node* source);
 

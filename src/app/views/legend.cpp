@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/window/language.h"
+
 namespace croquis::app {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr int card_radius = 6;
 constexpr int font_pixels = 11;
 constexpr QColor legend_ink(60, 66, 76);
 constexpr QColor card_color(255, 255, 255, 190);
+
+/// The language may have changed since the text was made.
+QString now_shown(const QString& text) { return shown_text(english_of(text).toStdString()); }
 
 }  // namespace
 
@@ -35,13 +40,13 @@ void Legend::paintEvent(QPaintEvent*) {
   font.setPixelSize(font_pixels);
   painter.setFont(font);
   painter.setPen(legend_ink);
-  painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, title_);
+  painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, now_shown(title_));
   int y = card_margin;
   for (const Row& row : rows_) {
     y += row_height;
     row.draw(painter, y);
     painter.setPen(legend_ink);
-    painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, row.label);
+    painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, now_shown(row.label));
   }
 }
 

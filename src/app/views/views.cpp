@@ -7,6 +7,7 @@
 #include "app/views/offscreen_pictures.h"
 #include "app/views/own_space.h"
 #include "app/views/render_color.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -196,7 +197,7 @@ bool abandon(const Views& views) {
 
 QString help_of(const Views& views) {
   for (const NodeFinding& found : ink_in(views) ? std::vector<NodeFinding>() : findings_of(views.studio)) {
-    if (found.finding.severity == Severity::Error) return QString::fromStdString(found.finding.message);
+    if (found.finding.severity == Severity::Error) return localized(found.finding.message);
   }
   if (views.navigation.alt_swallowed()) {
     return Views::tr("Your desktop uses Alt: hold Super, or the key left of 1, and drag to rotate, pan and zoom");

@@ -18,7 +18,9 @@
 #include <QTranslator>
 #include <QTreeWidget>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 
 #include "app/window/action_list.h"
@@ -42,7 +44,9 @@ class Translations : public QTranslator {
 /// A text with places for values, in English or another language.
 struct Pattern {
   QRegularExpression shown;
-  QList<int> places;  ///< which value each group of it is
+  QString longest;        ///< piece between values: a text without it doesn't fit
+  qsizetype letters = 0;  ///< of all pieces
+  QList<int> places;      ///< which value each group of it is
   QString source;
 };
 
@@ -53,20 +57,24 @@ struct Texts {
   QList<Pattern> patterns;
 };
 
-void add_pattern(Texts& texts, const QString& shown, const QString& source) {
+/// A sentence may be a part of another one, which has a full stop of its own.
+QString without_stop(const QString& sentence) { return sentence.endsWith('.') ? sentence.chopped(1) : sentence; }
+
+void add_pattern(Texts& texts, const QString& sentence, const QString& source) {
   static const QRegularExpression place(QStringLiteral("%(\\d)"));
-  static const QRegularExpression word(QStringLiteral("\\w{3}|[\\x{ac00}-\\x{d7a3}]{2}"));
+  static const QRegularExpression word(QStringLiteral("\\w{2}|[\\x{ac00}-\\x{d7a3}]{2}"));
+  const QString shown = without_stop(sentence);
   if (!shown.contains(place) || !QString(shown).remove(place).contains(word)) return;  // it would fit anything
-  Pattern pattern{{}, {}, source};
-  QString expression;
-  qsizetype end = 0;
-  for (const auto& found : place.globalMatch(shown)) {
-    expression += QRegularExpression::escape(shown.mid(end, found.capturedStart() - end)) + "(.+)";
-    pattern.places << found.captured(1).toInt();
-    end = found.capturedEnd();
+  Pattern pattern;
+  pattern.source = source;
+  for (const auto& found : place.globalMatch(shown)) pattern.places << found.captured(1).toInt();
+  QStringList pieces = shown.split(place);
+  for (QString& piece : pieces) {
+    if (piece.size() > pattern.longest.size()) pattern.longest = piece;
+    pattern.letters += piece.size();
+    piece = QRegularExpression::escape(piece);
   }
-  pattern.shown.setPattern(
-      QRegularExpression::anchoredPattern(expression + QRegularExpression::escape(shown.mid(end))));
+  pattern.shown.setPattern(QRegularExpression::anchoredPattern(pieces.join(QStringLiteral("(.+)"))));
   texts.patterns << pattern;
 }
 
@@ -90,6 +98,8 @@ Texts read_texts() {
       }
     }
   }
+  // What says most fits best.
+  std::ranges::stable_sort(texts.patterns, std::ranges::greater(), &Pattern::letters);
   return texts;
 }
 
@@ -103,6 +113,62 @@ QString translated(const QString& english) {
   return QCoreApplication::translate(context, english.toUtf8().constData());
 }
 
+QString composed_in_language(const QString& text);
+
+/// By itself or by a pattern; null where there is none.
+QString translation_of(const QString& text) {
+  const QString sentence = without_stop(text);
+  const QString stop = text.endsWith('.') ? QStringLiteral(".") : QString();
+  for (const QString& each : {text, sentence, text + '.'}) {
+    const auto source = texts().english.constFind(english_of(each));
+    if (source == texts().english.constEnd()) continue;
+    return each == text ? translated(*source) : without_stop(translated(*source)) + stop;
+  }
+  for (const Pattern& pattern : texts().patterns) {
+    if (!sentence.contains(pattern.longest)) continue;
+    const auto found = pattern.shown.match(sentence);
+    if (!found.hasMatch()) continue;
+    QString after = without_stop(translated(pattern.source));
+    for (int i = 0; i < pattern.places.size(); ++i)
+      after.replace(QChar(u'%') + QString::number(pattern.places[i]), composed_in_language(found.captured(i + 1)));
+    return after + stop;
+  }
+  return {};
+}
+
+/// The parts between separators, each in the language in use; null where too few of them are known.
+QString parts_in_language(const QString& text, const QString& between, bool all) {
+  static const QRegularExpression word(QStringLiteral("[A-Za-z]{3}"));
+  QStringList parts = text.split(between);
+  qsizetype known = 0, unknown = 0;
+  for (QString& part : parts) {
+    const QString after = translation_of(part);
+    if (after.isNull() && part.contains(word)) ++unknown;
+    if (after.isNull()) continue;
+    ++known;
+    part = after;
+  }
+  return parts.size() < 2 || known == 0 || (all && unknown > 0) ? QString() : parts.join(between);
+}
+
+/// A text with values, or several of them: "Sketch 2", "file, line 3: what is wrong", sentences, a list.
+QString composed_in_language(const QString& text) {
+  static const QRegularExpression numbered(QStringLiteral("^(.*[^\\d ])( \\d+)$"));
+  const auto named = numbered.match(text);
+  if (const auto source = texts().english.constFind(named.captured(1)); source != texts().english.constEnd())
+    return translated(*source) + named.captured(2);
+  if (const QString whole = translation_of(text); !whole.isNull()) return whole;
+  for (qsizetype at = text.indexOf(": "); at > 0; at = text.indexOf(": ", at + 1)) {
+    const QString rest = translation_of(text.mid(at + 2));
+    if (!rest.isNull()) return composed_in_language(text.left(at)) + ": " + rest;
+  }
+  for (const char* between : {"\n", ". ", ", "}) {
+    const QString parts = parts_in_language(text, between, *between == ',');
+    if (!parts.isNull()) return parts;
+  }
+  return text;
+}
+
 /// A text that is shown, in the language in use. What follows it ("\tEnter", " (mm)") is a text of its own.
 QString in_language(const QString& shown) {
   if (shown.isEmpty()) return shown;
@@ -113,17 +179,20 @@ QString in_language(const QString& shown) {
     if (shown.endsWith(')'))
       return in_language(shown.left(at)) + " (" + in_language(shown.mid(at + 2).chopped(1)) + ')';
   }
-  const auto source = texts().english.constFind(english_of(shown));
-  if (source != texts().english.constEnd()) return translated(*source);
-  for (const Pattern& pattern : texts().patterns) {
-    const auto found = pattern.shown.match(without_marks(shown));
-    if (!found.hasMatch()) continue;
-    QString text = translated(pattern.source);
-    for (int i = 0; i < pattern.places.size(); ++i)
-      text.replace(QChar(u'%') + QString::number(pattern.places[i]), in_language(found.captured(i + 1)));
-    return text;
-  }
-  return shown;
+  const QString plain = without_marks(shown);
+  const QString after = composed_in_language(plain);
+  return after == plain ? shown : after;
+}
+
+/// How composed texts are shown. Lists are filled anew after every step, mostly with the same ones.
+struct Composed {
+  bool translates = false;
+  QHash<QString, QString> shown;
+};
+
+Composed& composed_texts() {
+  static Composed texts;
+  return texts;
 }
 
 void translate_properties(QObject& object) {
@@ -180,12 +249,14 @@ void keep_language(const QString& code) { QSettings().setValue(language_key, cod
 void use_language(const QString& code) {
   static std::array<std::unique_ptr<QTranslator>, 2> installed;
   installed = {};  // one that is destroyed isn't installed any more
+  composed_texts() = {};
   auto own = std::make_unique<Translations>();
   if (!own->load(QStringLiteral(":/languages/croquis_%1.qm").arg(code))) return;
   auto qt = std::make_unique<QTranslator>();  // of buttons such as Cancel
   if (qt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(qt.get());
   QCoreApplication::installTranslator(own.get());
+  composed_texts().translates = true;
   installed = {std::move(qt), std::move(own)};
 }
 
@@ -198,6 +269,17 @@ void retranslate(QWidget& window) {
 }
 
 QString shown_text(const std::string& english) { return QCoreApplication::translate(context, english.c_str()); }
+
+QString localized(const std::string& composed) {
+  const QString text = QString::fromStdString(composed);
+  if (!composed_texts().translates) return text;
+  constexpr qsizetype most_kept = 2000;
+  QHash<QString, QString>& shown = composed_texts().shown;
+  if (shown.size() > most_kept) shown.clear();
+  auto known = shown.constFind(text);
+  if (known == shown.constEnd()) known = shown.insert(text, composed_in_language(text));
+  return *known;
+}
 
 QString english_of(const QString& shown) {
   const QString plain = without_marks(shown);

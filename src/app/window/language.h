@@ -28,6 +28,10 @@ void retranslate(QWidget& window);
 /// A text of a description in the language in use.
 QString shown_text(const std::string& english);
 
+/// A text that a library composed while the program runs (languages/composed.txt), in the language in use. Values in it
+/// are shown in it, too, where they are known; a text that isn't stays.
+QString localized(const std::string& composed);
+
 /// The English of a shown text; the text itself where it is none of the translated ones.
 QString english_of(const QString& shown);
 

@@ -27,6 +27,7 @@
 #include "app/views/viewport.h"
 #include "app/window/help_line.h"
 #include "app/window/help_pages.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 
 namespace croquis::app {
@@ -87,7 +88,7 @@ void add_help_line(MainWindow& window) {
       if (since->isValid() && !since->hasExpired(progress_pause_ms)) return;
       since->start();
       progress->setValue(static_cast<int>(fraction * progress->maximum()));
-      progress->setFormat(step);
+      progress->setFormat(localized(step.toStdString()));
     });
   };
   follow(parts.studio);

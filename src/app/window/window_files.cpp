@@ -121,7 +121,7 @@ void say_written(WindowParts& parts, const QString& path, const Findings& lost =
   const QString written =
       QObject::tr("Saved %1").arg(QFileInfo(path).fileName()) + (summary.isEmpty() ? "" : ": " + summary);
   if (lost.empty()) return parts.help->say_written(path, written);
-  const QString what = QString::fromStdString(lost.front().message);
+  const QString what = localized(lost.front().message);
   parts.help->say_written(path, written + ". " + what, HelpLine::Tone::Warning);
 }
 
@@ -159,7 +159,7 @@ std::optional<ExportCheck> checked_for_export(MainWindow& window, const MeshExpo
   waiting.reset();
   ExportCheck check = checking.get();
   if (!check.doubt || window.parts().unattended) return check;
-  QMessageBox question(QMessageBox::Warning, QObject::tr("Export mesh"), QString::fromStdString(check.doubt->message),
+  QMessageBox question(QMessageBox::Warning, QObject::tr("Export mesh"), localized(check.doubt->message),
                        QMessageBox::Cancel, &window);
   question.setObjectName("export-question");
   QPushButton* show = question.addButton(QObject::tr("Show"), QMessageBox::RejectRole);
@@ -206,7 +206,7 @@ void ask_export(MainWindow& window, const QString& title, const QString& ending,
 }
 
 void ask_export_step(MainWindow& window) {
-  if (const std::string why = why_no_step(); !why.empty()) return window.say(QString::fromStdString(why));
+  if (const std::string why = why_no_step(); !why.empty()) return window.say(localized(why));
   ask_export(window, QObject::tr("Export STEP"), ".step", QObject::tr("STEP (*.step *.stp)"),
              [&](const QString& path) { export_step(window.studio(), path, window.files().step_export()); });
 }

@@ -16,6 +16,7 @@
 #include "app/views/own_space.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 #include "croquis/render/value_color.h"
 #include "croquis/tools/holes/hole_steps.h"
@@ -82,7 +83,7 @@ std::vector<ObjectRow> rows_of_patches(const std::vector<FaceSet>& sets) {
     const auto count = qulonglong(set.faces.size());
     const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
     const QString tip = tr("Click to select these faces; F frames them");
-    const ObjectRow row{QString::fromStdString(set.name), info, tip, {set.name}, true, false};
+    const ObjectRow row{localized(set.name), info, tip, {set.name}, true, false};
     (rows.empty() ? rows : rows.front().rows).push_back(row);
   }
   return rows;

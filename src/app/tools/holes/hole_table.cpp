@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/tools/holes/hole_overlay.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -80,7 +81,7 @@ QString tip_of(const HoleRow& hole) {
     const std::set<Index> others(hole.companions.begin(), hole.companions.end());
     lines << HoleTable::tr("Filled together with %1").arg(numbers_of(others));
   }
-  if (!hole.reason.empty()) lines << QString::fromStdString(hole.reason);
+  if (!hole.reason.empty()) lines << localized(hole.reason);
   return lines.join("\n");
 }
 

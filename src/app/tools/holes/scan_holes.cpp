@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 
 namespace croquis::app {
@@ -196,7 +197,7 @@ void ScanHoles::attempt(const std::function<void()>& work) {
     work();
   } catch (const Error& error) {
     QStringList sentences;
-    for (const Finding& finding : error.findings()) sentences << QString::fromStdString(finding.message);
+    for (const Finding& finding : error.findings()) sentences << localized(finding.message);
     host.say(sentences.join(" "));
   }
 }

@@ -12,6 +12,7 @@
 #include "app/tools/scene_parts.h"
 #include "app/views/viewport.h"
 #include "app/window/action_list.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -42,7 +43,7 @@ void MeasuringTool::make_actions(ActionList& actions) {
   edit->addSeparator();
   actions.add_mode(edit, "measure", tr("Measure"), "M", [this] { host().set_mode("measure"); });
   actions.add(edit, "copy-measurement", tr("Copy measurement"), {QKeySequence::Copy}, [this] {
-    QApplication::clipboard()->setText(QString::fromStdString(measured_text(tool_.places())));
+    QApplication::clipboard()->setText(localized(measured_text(tool_.places())));
     host().say(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
   });
 }
@@ -148,7 +149,7 @@ void MeasuringTool::place_chips(ChipPlaces& places) {
       if (used == labels_.size()) labels_.push_back(make_chip_label(host().viewport(), label_style));
       QLabel& label = *labels_[used++];
       label.setObjectName("measured-value");
-      label.setText(QString::fromStdString(value.name + " " + value.text));
+      label.setText(localized(value.name + " " + value.text));
       label.adjustSize();
       places.put(label, at + label_offset, pane.rect);
     }

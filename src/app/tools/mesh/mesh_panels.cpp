@@ -275,7 +275,7 @@ void EditPanel::follow() {
   const EditLine& line = *mesh_.tool().edits().last();
   const EditDescription& edit = find_edit(line.edit)->description;
   if (edit.id != edit_) make_fields(edit);
-  title_->setText(QString::fromStdString(mesh_.tool().edits().label_of(line)));
+  title_->setText(localized(mesh_.tool().edits().label_of(line)));
   for (const auto& [name, value] : complete(edit.parameters, line.parameters)) fields_.at(name)->show_value(value);
 }
 

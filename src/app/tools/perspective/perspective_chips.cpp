@@ -11,6 +11,7 @@
 
 #include "app/panels/finding_elements.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/tools/perspective/drawing_edit.h"
 
@@ -416,7 +417,7 @@ void PerspectiveChips::place_fix(const ViewPane& pane) {
   const PerspectiveStroke* stroke = find_stroke(sheet_.drawing(), fix.stroke);
   if (stroke == nullptr) return;
   fix_->setText(QObject::tr("Fix"));
-  fix_->setToolTip(QString::fromStdString(fix.text));
+  fix_->setToolTip(localized(fix.text));
   fix_->setAccessibleName(fix_->toolTip());
   fix_->adjustSize();
   chips_.put(*fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/tools/perspective/perspective_chips.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -277,7 +278,7 @@ void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings
   std::vector<render::Mark> symbols;
   finding_marks_.clear();
   for (const Finding& finding : findings) {
-    const QString sentence = QString::fromStdString(finding.message);
+    const QString sentence = localized(finding.message);
     if (is_of_unfinished(finding)) {
       for (const Vec2& end : loose_ends(drawing, finding)) {
         symbols.push_back(sheet_mark(end, render::MarkShape::Ring, 12, colors::warning));

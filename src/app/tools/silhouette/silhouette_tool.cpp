@@ -56,7 +56,7 @@ std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, cons
 
 QString joined(const std::vector<std::string>& texts) {
   QStringList list;
-  for (const std::string& text : texts) list << QString::fromStdString(text);
+  for (const std::string& text : texts) list << shown_name(text);
   return list.join(", ");
 }
 

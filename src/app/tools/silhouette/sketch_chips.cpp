@@ -255,7 +255,7 @@ void SketchChips::connect_rows() {
 
 QString SketchChips::name_of(const std::string& object_or_stroke) const {
   const Body* body = body_with(bodies_, {object_or_stroke});
-  return body == nullptr ? QString::fromStdString(object_or_stroke) : body->name;
+  return body == nullptr ? shown_name(object_or_stroke) : body->name;
 }
 
 QString SketchChips::pair_name(const Joint& joint) const {
@@ -310,14 +310,13 @@ ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
 ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
   const bool left_out = read.kind == StrokeKind::Ignored && !read.chosen;
   const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
-  return {read.at,
-          {"stroke-kind", word_of(read.kind),
-           tr("%1: %2. Click (with Q) to make it something else")
-                   .arg(QString::fromStdString(read.stroke), word_of(read.kind)) +
-               found,
-           left_out      ? Strength::Warning
-           : read.chosen ? Strength::Half
-                         : Strength::Plain}};
+  return {
+      read.at,
+      {"stroke-kind", word_of(read.kind),
+       tr("%1: %2. Click (with Q) to make it something else").arg(shown_name(read.stroke), word_of(read.kind)) + found,
+       left_out      ? Strength::Warning
+       : read.chosen ? Strength::Half
+                     : Strength::Plain}};
 }
 
 /// A menu below the chip of what its stroke can be.

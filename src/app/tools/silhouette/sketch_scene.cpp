@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/operators/inflate_result.h"
@@ -208,7 +209,7 @@ void SketchScene::show_result(const Studio& studio) {
       const auto at = place_of(finding, studio.drawing());
       if (at && finding.severity != Severity::Info)  // chips say how the drawing is read
         finding_marks_.push_back(
-            {Vec3(at->x(), at->y(), 0), QString::fromStdString(finding.message), finding.severity == Severity::Error});
+            {Vec3(at->x(), at->y(), 0), localized(finding.message), finding.severity == Severity::Error});
     }
   }
   for (const FindingMark& finding : finding_marks_) {

@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
@@ -234,7 +235,7 @@ void NetworkScene::show_findings(const AttributeNetwork& network, const Affine3&
   for (const Finding& finding : findings) {
     const auto at = finding.severity == Severity::Info ? std::nullopt : place_of(finding, network, to_world);
     if (!at) continue;
-    marks_.push_back({*at, QString::fromStdString(finding.message), finding.severity == Severity::Error});
+    marks_.push_back({*at, localized(finding.message), finding.severity == Severity::Error});
     symbols.push_back(symbol_of(marks_.back()));
   }
   findings_ = marks_of(symbols);

@@ -7,6 +7,7 @@
 
 #include "app/panels/number_box.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "croquis/attribute_surface/loop_search.h"
 
 namespace croquis::app {
@@ -99,7 +100,7 @@ NetworkState network_state(const AttributeNetwork& network, const ShownSurface& 
   const auto worst = [&](Severity severity) { return std::ranges::find(findings, severity, &Finding::severity); };
   const std::size_t failed = failed_count(network, shown);
   if (const auto error = worst(Severity::Error); error != findings.end()) {
-    const QString sentence = QString::fromStdString(error->message);
+    const QString sentence = localized(error->message);
     return {failed == 0 ? sentence
                         : counted_text(failed, QObject::tr("1 patch can't be made: "),
                                        QObject::tr("%1 patches can't be made: ")) +
@@ -107,7 +108,7 @@ NetworkState network_state(const AttributeNetwork& network, const ShownSurface& 
             false, elements_in(*error, network)};
   }
   if (const auto warning = worst(Severity::Warning); warning != findings.end())
-    return {QString::fromStdString(warning->message), false, elements_in(*warning, network)};
+    return {localized(warning->message), false, elements_in(*warning, network)};
   return {counted_text(network.faces.size(), QObject::tr("1 patch"), QObject::tr("%1 patches")), true, {}};
 }
 
@@ -131,7 +132,7 @@ std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::
     state.gap = (open[0] + open[1]) / 2;
     state.sentence = QObject::tr("Gap of %1").arg(number_words((open[1] - open[0]).norm()));
   } else if (!loop.findings.empty()) {
-    state.sentence = QString::fromStdString(loop.findings.front().message);
+    state.sentence = localized(loop.findings.front().message);
   }
   return state;
 }
