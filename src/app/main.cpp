@@ -10,6 +10,7 @@
 #include "app/replay/replay_player.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 #include "app/window/theme.h"
 #include "croquis/base/error.h"
 
@@ -91,6 +92,12 @@ void choose_graphics(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
+/// Before the application object, too. What the environment says comes before the preferences.
+void apply_scale() {
+  if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR") || kept_scale() == 100) return;
+  qputenv("QT_SCALE_FACTOR", QByteArray::number(kept_scale() / 100.0));
+}
+
 QString state_folder() {
   const QString given = qEnvironmentVariable("XDG_STATE_HOME");
   const QString base = given.isEmpty() ? QDir::homePath() + "/.local/state" : given;
@@ -130,7 +137,10 @@ int run(const LaunchOptions& options) {
   int exit_code = 0;
   if (!options.replay.isEmpty()) exit_code = play_file(window, options.replay, options.stay);
   if (exit_code == 0 && !options.screenshot.isEmpty()) exit_code = save_screenshot(window, options.screenshot);
-  if (!unattended) exit_code = QApplication::exec();
+  if (!unattended) {
+    offer_first_choices(window);
+    exit_code = QApplication::exec();
+  }
   window.files().keeper().close_cleanly();
   return exit_code;
 }
@@ -148,6 +158,7 @@ int main(int argc, char** argv) {
   // Help and wrong usage need no display.
   const auto options = parse_command_line(arguments, exit_code);
   if (!options) return exit_code;
+  apply_scale();
   QApplication application(argc, argv);
   QApplication::setWindowIcon(program_icon());
   apply_theme(application);

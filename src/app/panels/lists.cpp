@@ -37,9 +37,9 @@ QString words_of(const ChainStep& step) {
 }
 
 QColor color_of(StepState state) {
-  if (state == StepState::Computing) return colors::warning;
+  if (state == StepState::Computing) return theme_colors().warning;
   const bool bad = state == StepState::Stale || state == StepState::Failed || state == StepState::NeedsAttention;
-  return bad ? colors::error : colors::guide;
+  return bad ? theme_colors().error : theme_colors().faint;
 }
 
 QStringList to_list(const std::vector<std::string>& texts) {
@@ -82,7 +82,7 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
     rows_.push_back({found});
     for (QAction* fix : fixes(found)) {
       auto* offer = new QListWidgetItem(QStringLiteral("→ ") + fix->text().remove('&'), this);
-      offer->setForeground(colors::hover);
+      offer->setForeground(theme_colors().link);
       offer->setToolTip(fix->toolTip());
       rows_.push_back({found, fix});
     }
@@ -112,7 +112,7 @@ void HistoryList::show_history(const std::vector<std::string>& done, const std::
   setCurrentRow(count() - 1);
   for (const std::string& label : undone) {
     addItem(localized(label));
-    item(count() - 1)->setForeground(colors::guide);
+    item(count() - 1)->setForeground(theme_colors().faint);
   }
   scrollToItem(currentItem());
 }
@@ -174,7 +174,7 @@ QTreeWidgetItem* ObjectList::group_row(const std::string& group) {
   }
   auto* row = new QTreeWidgetItem(this, {shown_name(group), QString()});
   row->setData(0, name_role, shown_name(group));
-  row->setForeground(1, colors::guide);
+  row->setForeground(1, theme_colors().faint);
   row->setData(0, group_role, name);
   row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
   row->setToolTip(0, tr("A group: its objects are selected and moved together · Ctrl+Shift+G ungroups"));
@@ -195,13 +195,13 @@ void ObjectList::add_object(const WorkObject& object, const Studio& studio) {
   auto* row = object.group.empty() ? new QTreeWidgetItem(this) : new QTreeWidgetItem(group_row(object.group));
   row->setText(0, shown_name(object));
   row->setText(1, info);
-  row->setForeground(1, colors::guide);
+  row->setForeground(1, theme_colors().faint);
   row->setData(0, name_role, shown_name(object));
   row->setData(0, node_role, qulonglong(object.node));
   row->setFlags(row->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
   row->setCheckState(0, object.visible ? Qt::Checked : Qt::Unchecked);
   row->setToolTip(0, tr("Click the eye to hide or show, double click to rename"));
-  if (!object.visible) row->setForeground(0, colors::guide);
+  if (!object.visible) row->setForeground(0, theme_colors().faint);
   const Selection& selection = studio.session().selection();
   row->setSelected(is_selected(selection, object.node) || is_selected(selection, object.cage));
   add_parts(row, parts_(object, object.node), object.node, selection);
@@ -227,7 +227,7 @@ void ObjectList::add_steps(QTreeWidgetItem* row, const WorkObject& object, const
     own->setToolTip(0, step.problem.empty() ? tr("A step: click shows its numbers, the right button what can be done")
                                             : localized(step.problem));
     own->setToolTip(1, own->toolTip(0));
-    if (step.state == StepState::Off) own->setForeground(0, colors::guide);
+    if (step.state == StepState::Off) own->setForeground(0, theme_colors().faint);
     own->setSelected(step.node != object.node && is_selected(selection, step.node));
     if (step.node == object.node) continue;
     add_parts(own, parts_(object, step.node), step.node, selection);
@@ -243,12 +243,12 @@ void ObjectList::add_parts(QTreeWidgetItem* below, const std::vector<ObjectRow>&
     own->setData(0, parts_role, to_list(row.parts));
     own->setData(0, opened_role, row.opened);
     own->setToolTip(0, row.tip);
-    own->setForeground(1, colors::guide);
+    own->setForeground(1, theme_colors().faint);
     if (row.rename) {
       own->setFlags(own->flags() | Qt::ItemIsEditable);
       renames_[own] = row.rename;
     }
-    if (!row.made) own->setForeground(0, colors::guide);
+    if (!row.made) own->setForeground(0, theme_colors().faint);
     own->setSelected(std::ranges::any_of(row.parts, [&](const std::string& part) {
       return std::ranges::binary_search(selection, SelectedItem{node, part});
     }));

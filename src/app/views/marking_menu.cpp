@@ -30,11 +30,6 @@ QColor sector_color(const QAction* action) {
   return action == nullptr ? QColor() : action->property(sector_property).value<QColor>();
 }
 
-QColor text_color_on(const QColor& color) {
-  const double light = 0.299 * color.redF() + 0.587 * color.greenF() + 0.114 * color.blueF();
-  return light > 0.55 ? QColor(20, 20, 22) : QColor(255, 255, 255);
-}
-
 }  // namespace
 
 void set_sector_color(QAction& action, const QColor& color) { action.setProperty(sector_property, color); }

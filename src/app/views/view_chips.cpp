@@ -28,8 +28,7 @@ int distance_squared(const QPoint& a, const QPoint& b) {
 
 constexpr double legend_margin = 10;
 
-constexpr const char* name_style = "color: #5c6470; background: transparent; font-size: 12px";
-constexpr const char* message_style = "color: #8a93a0; background: transparent; font-size: 15px";
+constexpr const char* name_style = "color: #4a515c; background: transparent; font-size: 12px";
 constexpr int lines_at_most = 8;
 
 QString faces(std::size_t count) {
@@ -169,7 +168,7 @@ QLabel* make_chip_label(QWidget& views, const char* style) {
 }
 
 ViewChips::ViewChips(const Views& views)
-    : message_(make_chip_label(views.widget, message_style)), counts_(make_chip_label(views.widget, name_style)) {
+    : message_(make_chip_label(views.widget, hint_style)), counts_(make_chip_label(views.widget, name_style)) {
   counts_->setObjectName("counts");
   for (QLabel*& name : names_) name = make_chip_label(views.widget, name_style);
 }

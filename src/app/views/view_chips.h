@@ -58,6 +58,9 @@ class ChipPlaces {
   ChipSpace space_;
 };
 
+/// Of what can be done next, in the middle of a view.
+inline constexpr const char* hint_style = "color: #5c6470; background: transparent; font-size: 15px";
+
 /// A label over the views that lets the pointer through. @param style a style sheet
 QLabel* make_chip_label(QWidget& views, const char* style);
 

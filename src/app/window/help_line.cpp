@@ -10,19 +10,21 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "app/window/theme.h"
+
 namespace croquis::app {
 namespace {
 
 constexpr int words_gap = 12;     // between two of them
 constexpr int least_status = 60;  // less is no word
 
-QColor color_of(HelpLine::Tone tone) {
+QString words_of(HelpLine::Tone tone) {
   switch (tone) {
-    case HelpLine::Tone::Error: return {240, 160, 154};
-    case HelpLine::Tone::Warning: return {255, 182, 92};
+    case HelpLine::Tone::Error: return QStringLiteral("error");
+    case HelpLine::Tone::Warning: return QStringLiteral("warning");
     case HelpLine::Tone::Plain: break;
   }
-  return {159, 214, 195};
+  return QStringLiteral("good");
 }
 
 }  // namespace
@@ -65,9 +67,7 @@ HelpLine::HelpLine(QWidget* parent)
   folder_->setText(tr("Open folder"));
   folder_->hide();
   status_->setObjectName("status");
-  QPalette faint = palette();
-  faint.setColor(QPalette::WindowText, QColor(185, 192, 203));
-  status_->setPalette(faint);
+  set_tone(*status_, QStringLiteral("faint"));
   connect(folder_, &QToolButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_path_)); });
   auto* row = new QHBoxLayout(this);
@@ -94,9 +94,7 @@ void HelpLine::show_status(const QString& text) {
 void HelpLine::say(const QString& sentence, Tone tone, const QString& more) {
   folder_->hide();
   message_->show_text(sentence, more);
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, color_of(tone));
-  message_->setPalette(colors);
+  set_tone(*message_, words_of(tone));
   fit();
 }
 

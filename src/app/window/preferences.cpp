@@ -15,13 +15,14 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTreeWidget>
-#include <array>
+#include <algorithm>
 
 #include "app/views/viewport.h"
 #include "app/window/command_palette.h"
 #include "app/window/hotkeys.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
+#include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
@@ -31,35 +32,29 @@ constexpr const char* navigation_key = "navigation";
 
 QString preference_text(const char* text) { return QCoreApplication::translate("Preferences", text); }
 
-struct NavigationChoice {
-  NavigationPreset preset;
-  const char* name;  ///< in the settings
-  QString title;
-  QString sentence;
-};
-
-std::array<NavigationChoice, 3> navigation_choices() {
-  return {{{NavigationPreset::Maya, "maya", preference_text("Maya"),
-            preference_text("Alt + left button rotates, Alt + middle pans, Alt + right zooms")},
-           {NavigationPreset::Blender, "blender", preference_text("Blender"),
-            preference_text("The middle button rotates, with Shift pans, with Ctrl zooms")},
-           {NavigationPreset::Cad, "cad", preference_text("CAD"),
-            preference_text("The middle button rotates, with Ctrl pans, with Shift zooms")}}};
-}
-
-int kept_navigation() {
-  const QString kept = QSettings().value(navigation_key).toString();
-  const auto choices = navigation_choices();
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (kept == choices[i].name) return static_cast<int>(i);
-  }
-  return 0;
-}
-
-void navigate_as(MainWindow& window, int choice) {
+void navigate_as_kept(MainWindow& window) {
   NavigationOptions options;
-  options.preset = navigation_choices()[static_cast<std::size_t>(choice)].preset;
+  options.preset = kept_navigation().preset;
   window.views().navigation.set_options(options);
+}
+
+QComboBox* make_navigation_field(MainWindow& window, QLabel* sentence, QWidget* parent) {
+  QList<std::pair<QString, QString>> choices;
+  for (const NavigationChoice& choice : navigation_choices()) choices << std::pair{choice.name, choice.title};
+  sentence->setText(kept_navigation().sentence);
+  const auto take = [&window, sentence](const QString& name) {
+    choose_navigation(window, name);
+    sentence->setText(kept_navigation().sentence);
+  };
+  return make_choice_field("navigation", choices, kept_navigation().name, take, parent);
+}
+
+QComboBox* make_scale_field(QWidget* parent) {
+  QList<std::pair<QString, QString>> choices;
+  for (const int percent : scales())
+    choices << std::pair{QString::number(percent), QStringLiteral("%1 %").arg(percent)};
+  const auto take = [](const QString& percent) { keep_scale(percent.toInt()); };
+  return make_choice_field("scale", choices, QString::number(kept_scale()), take, parent);
 }
 
 /// The list of all actions with their keys, and a field for those of the selected one.
@@ -216,53 +211,68 @@ class KeyEditor : public QWidget {
   QLabel* clash_ = new QLabel(this);
 };
 
-QComboBox* make_language_field(MainWindow& window, QWidget* parent) {
+}  // namespace
+
+QComboBox* make_choice_field(const QString& name, const QList<std::pair<QString, QString>>& choices,
+                             const QString& kept, const std::function<void(const QString&)>& take, QWidget* parent) {
   auto* field = new QComboBox(parent);
-  field->setObjectName("language");
-  for (const auto& [code, name] : languages()) field->addItem(name, code);
-  field->setCurrentIndex(field->findData(kept_language()));
-  QObject::connect(field, &QComboBox::currentIndexChanged, &window, [&window, field] {
-    const QString code = field->currentData().toString();
+  field->setObjectName(name);
+  for (const auto& [value, title] : choices) field->addItem(title, value);
+  field->setCurrentIndex(std::max(0, field->findData(kept)));
+  QObject::connect(field, &QComboBox::currentIndexChanged, parent,
+                   [field, take] { take(field->currentData().toString()); });
+  return field;
+}
+
+QComboBox* make_language_field(MainWindow& window, QWidget* parent) {
+  const auto take = [&window](const QString& code) {
     keep_language(code);
     use_language(code);
     retranslate(window);
     window.refresh();
-  });
-  return field;
-}
-
-QComboBox* make_navigation_field(MainWindow& window, QLabel* sentence, QWidget* parent) {
-  auto* field = new QComboBox(parent);
-  field->setObjectName("navigation");
-  for (const NavigationChoice& choice : navigation_choices()) field->addItem(choice.title, choice.name);
-  const auto describe = [sentence](int choice) {
-    sentence->setText(navigation_choices()[static_cast<std::size_t>(choice)].sentence);
   };
-  field->setCurrentIndex(kept_navigation());
-  describe(field->currentIndex());
-  QObject::connect(field, &QComboBox::currentIndexChanged, &window, [&window, field, describe](int choice) {
-    QSettings().setValue(navigation_key, field->itemData(choice));
-    navigate_as(window, choice);
-    describe(choice);
-  });
-  return field;
+  return make_choice_field("language", languages(), kept_language(), take, parent);
 }
 
-QComboBox* make_preset_field(KeyEditor* editor, QWidget* parent) {
-  auto* field = new QComboBox(parent);
-  field->setObjectName("key-preset");
-  for (const auto& [name, title] : key_presets()) field->addItem(title, name);
-  field->setCurrentIndex(field->findData(editor->preset()));
-  QObject::connect(field, &QComboBox::currentIndexChanged, editor,
-                   [editor, field] { editor->set_preset(field->currentData().toString()); });
-  return field;
+QComboBox* make_theme_field(MainWindow& window, QWidget* parent) {
+  const auto take = [&window](const QString& name) {
+    keep_theme(name);
+    use_theme(name);
+    window.refresh();
+  };
+  return make_choice_field("theme", themes(), kept_theme(), take, parent);
 }
 
-}  // namespace
+std::array<NavigationChoice, 3> navigation_choices() {
+  return {{{NavigationPreset::Maya, "maya", preference_text("Maya"),
+            preference_text("Alt + left button rotates, Alt + middle pans, Alt + right zooms")},
+           {NavigationPreset::Blender, "blender", preference_text("Blender"),
+            preference_text("The middle button rotates, with Shift pans, with Ctrl zooms")},
+           {NavigationPreset::Cad, "cad", preference_text("CAD"),
+            preference_text("The middle button rotates, with Ctrl pans, with Shift zooms")}}};
+}
+
+NavigationChoice kept_navigation() {
+  const auto choices = navigation_choices();
+  const QString kept = QSettings().value(navigation_key).toString();
+  const auto found = std::ranges::find_if(choices, [&](const NavigationChoice& choice) { return kept == choice.name; });
+  return found == choices.end() ? choices.front() : *found;
+}
+
+void choose_navigation(MainWindow& window, const QString& name) {
+  QSettings().setValue(navigation_key, name);
+  navigate_as_kept(window);
+}
+
+bool is_anything_chosen() {
+  const QSettings settings;
+  const QStringList names{"language", "theme", "scale", "keys", navigation_key};
+  return std::ranges::any_of(names, [&](const QString& name) { return settings.contains(name); });
+}
 
 void apply_preferences(MainWindow& window) {
   apply_keys(kept_keys(), window.actions());
-  navigate_as(window, kept_navigation());
+  navigate_as_kept(window);
 }
 
 void show_preferences(MainWindow& window) {
@@ -280,11 +290,17 @@ void show_preferences(MainWindow& window) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
   QObject::connect(search, &QLineEdit::textChanged, editor, [editor](const QString& typed) { editor->filter(typed); });
+  auto* preset = make_choice_field(
+      "key-preset", key_presets(), editor->preset(), [editor](const QString& name) { editor->set_preset(name); },
+      dialog);
   auto* form = new QFormLayout(dialog);
   form->addRow(preference_text("&Language"), make_language_field(window, dialog));
+  form->addRow(preference_text("&Theme"), make_theme_field(window, dialog));
+  form->addRow(preference_text("S&cale"), make_scale_field(dialog));
+  form->addRow(QString(), new QLabel(preference_text("A scale takes effect at the next start"), dialog));
   form->addRow(preference_text("&Navigation as in"), make_navigation_field(window, sentence, dialog));
   form->addRow(QString(), sentence);
-  form->addRow(preference_text("&Keys as in"), make_preset_field(editor, dialog));
+  form->addRow(preference_text("&Keys as in"), preset);
   form->addRow(search);
   form->addRow(editor);
   dialog->open();

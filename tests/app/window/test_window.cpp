@@ -18,6 +18,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"
+#include "app/readable.h"
 #include "app/start/start_page.h"
 #include "app/studio_fixture.h"
 #include "app/views/offscreen_pictures.h"
@@ -67,19 +68,6 @@ class TimeZone {
   bool had_;
   QByteArray before_;
 };
-
-/// Everything of these kinds that is seen has the room that it needs, inside of the window.
-template <typename Widget>
-void check_not_clipped(app::MainWindow& window) {
-  for (const Widget* widget : window.findChildren<Widget*>()) {
-    if (!widget->isVisible() || widget->visibleRegion().isEmpty()) continue;
-    INFO(widget->objectName().toStdString() << " " << widget->metaObject()->className());
-    CHECK(widget->width() >= widget->minimumSizeHint().width());
-    const QRect there(widget->mapTo(&window, QPoint(0, 0)), widget->size());
-    CHECK(there.left() >= 0);
-    CHECK(there.right() < window.width());
-  }
-}
 
 }  // namespace
 

@@ -20,7 +20,7 @@
 
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
-#include "app/window/help_line.h"
+#include "app/readable.h"
 #include "app/window/language.h"
 #include "app/window/panel_docks.h"
 
@@ -53,6 +53,7 @@ class AttendedStudio {
     environment.insert("XDG_CONFIG_HOME", folder);
     environment.insert("XDG_STATE_HOME", folder);
     process_.setProcessEnvironment(environment);
+    QSettings(folder + "/croquis/croquis.conf", QSettings::IniFormat).setValue("first-start", true);  // was before
     process_.start(CROQUIS_STUDIO, {"--new", "silhouette"});
   }
   ~AttendedStudio() {
@@ -145,11 +146,7 @@ void check_readable(StudioFixture& hand, const std::string& state) {
   CHECK(help->isVisible());
   CHECK(!help->text().isEmpty());
   CHECK(help->seen().toStdString() == help->text().toStdString());
-  for (const QLabel* label : window.findChildren<QLabel*>()) {
-    if (!label->isVisible() || qobject_cast<const app::ElidedLabel*>(label) != nullptr) continue;
-    INFO(label->objectName().toStdString() << ": " << label->text().toStdString());
-    CHECK(label->width() >= label->minimumSizeHint().width());
-  }
+  check_labels_fit(window);
   if (!window.shows_views()) return;
   CHECK(help->text().toStdString() == app::help_of(hand.viewport().views()).toStdString());
   for (const int view : all_views) {

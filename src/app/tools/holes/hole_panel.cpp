@@ -18,6 +18,7 @@
 #include "app/tools/holes/scan_holes.h"
 #include "app/tools/holes/surface_check.h"
 #include "app/window/language.h"
+#include "app/window/theme.h"
 #include "croquis/remeshing/remesh.h"
 
 namespace croquis::app {
@@ -63,7 +64,6 @@ QPushButton* action_button(QWidget* panel, const ScanHoles& holes, const char* a
     if (does->isCheckable()) button->setChecked(does->isChecked());
   });
   button->setCheckable(does->isCheckable());
-  if (does->isCheckable()) button->setStyleSheet("QPushButton:checked { background: #6a4a26 }");
   return button;
 }
 
@@ -143,7 +143,7 @@ void add_head(Panel& panel, ScanHoles& holes) {
     const LeftOpen left = left_open(holes.rows);
     checked->setText(found ? sentence_of(*found, left) : Panel::tr("Checking …"));
     const bool fine = found && is_as_wanted(*found, left);
-    checked->setStyleSheet(!found ? "" : fine ? "color: #6fd3b0" : "color: #ffb65c");
+    set_tone(*checked, !found ? "" : fine ? "good" : "warning");
   });
   panel.also([&panel, &holes, summary, table, check] {
     const Studio& studio = holes.studio();

@@ -122,15 +122,15 @@ void SizeSlider::paintEvent(QPaintEvent*) {
     const double left = area.left() + area.width() * histogram_.position(bin.low);
     const double right = std::max(area.left() + area.width() * histogram_.position(bin.high), left + 4);
     const double height = std::max(3.0, area.height() * std::sqrt(static_cast<double>(bin.count) / highest));
-    painter.setBrush(bin.low <= diameter_ ? colors::accent : QColor(122, 128, 138));
+    painter.setBrush(bin.low <= diameter_ ? theme_colors().accent : theme_colors().faint);
     painter.drawRect(QRectF(left, area.bottom() - height, right - left - 1, height));
   }
-  painter.setPen(QPen(QColor(122, 128, 138), 2));
+  painter.setPen(QPen(theme_colors().faint, 2));
   painter.drawLine(area.bottomLeft() + QPointF(0, 4), area.bottomRight() + QPointF(0, 4));
   if (histogram_.empty()) return;
   const double at = area.left() + area.width() * (diameter_ > 0 ? histogram_.position(diameter_) : 0);
-  painter.setPen(QPen(hasFocus() ? colors::hover : QColor(220, 224, 230), 1.5));
-  painter.setBrush(diameter_ > 0 ? colors::accent : QColor(70, 73, 79));
+  painter.setPen(QPen(hasFocus() ? theme_colors().link : theme_colors().text, 1.5));
+  painter.setBrush(diameter_ > 0 ? theme_colors().accent : theme_colors().raised);
   painter.drawEllipse(QPointF(at, area.bottom() + 4), 5.5, 5.5);
 }
 

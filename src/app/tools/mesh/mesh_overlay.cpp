@@ -6,6 +6,7 @@
 
 #include "app/window/theme.h"
 #include "croquis/mesh_editing/tag_edit.h"
+#include "croquis/render/render_options.h"
 #include "croquis/render/sharpness_color.h"
 
 namespace croquis::app {
@@ -69,9 +70,12 @@ QColor handle_color(ColourRole role, HandleState state) {
   if (state == HandleState::Active) return colors::accent;
   if (state == HandleState::Hovered) return colors::accent.lighter(125);
   switch (role) {
-    case ColourRole::X: return {202, 62, 52};
-    case ColourRole::Y: return {46, 134, 58};
-    case ColourRole::Z: return {44, 92, 200};
+    case ColourRole::X:
+    case ColourRole::Y:
+    case ColourRole::Z: {
+      const render::Color axis = render::AxisCrossOptions().colors.at(static_cast<std::size_t>(role));
+      return {axis.r, axis.g, axis.b};
+    }
     case ColourRole::Centre: return {70, 76, 88};
     case ColourRole::View: return {110, 118, 130};
     case ColourRole::Faint: break;

@@ -233,7 +233,6 @@ SolidState doubt_about(const PerspectiveDrawing& drawing, const PerspectiveResul
 
 constexpr double chip_margin = 10;  // logical pixels
 constexpr double hint_width = 620;
-constexpr const char* sheet_hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
 constexpr const char* open_style =
     "QToolButton { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px; padding: 2px 9px"
     "} QToolButton:hover { background: #ffe2a8 }";
@@ -358,7 +357,7 @@ PerspectiveChips::PerspectiveChips(Sheet& sheet)
     : sheet_(sheet),
       alternatives_(sheet),
       chips_(sheet.host.viewport()),
-      hint_(chips_.label("perspective-hint", sheet_hint_style)),
+      hint_(chips_.label("perspective-hint", hint_style)),
       faces_(
           chips_.button("perspective-faces", sheet_button_style, [this] { look_at_strokes(sheet_, faces_strokes_); })),
       fix_(chips_.button("perspective-fix-chip", sheet_button_style, [this] { apply_fix(sheet_); })),

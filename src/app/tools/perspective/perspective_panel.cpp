@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "app/tools/perspective/sheet.h"
+#include "app/window/theme.h"
 #include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis::app {
@@ -229,10 +230,11 @@ void show_lines(QTreeWidget& list, const PerspectiveResult* result) {
   for (const PerspectiveStrokeResult& stroke : shown) {
     auto* item = new QTreeWidgetItem(&list, {QString::fromStdString(stroke.id), group_letter(stroke.group),
                                              Panel::tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
-    item->setForeground(1, group_color(stroke.group));
-    const QColor heat = residual_color(*stroke.residual);
-    item->setBackground(2, heat);
-    item->setForeground(2, heat.lightness() > 120 ? QColor(20, 20, 22) : QColor(250, 249, 246));
+    for (const auto& [column, ground] :
+         {std::pair{1, group_color(stroke.group)}, {2, residual_color(*stroke.residual)}}) {
+      item->setBackground(column, ground);
+      item->setForeground(column, text_color_on(ground));
+    }
   }
 }
 

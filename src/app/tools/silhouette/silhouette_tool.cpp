@@ -23,7 +23,6 @@
 namespace croquis::app {
 namespace {
 
-constexpr const char* hint_style = "color: #8a93a0; background: transparent; font-size: 15px";
 constexpr double stroke_reach = 8;  // logical pixels
 constexpr double hint_height = 60;  // above the view's lower border
 

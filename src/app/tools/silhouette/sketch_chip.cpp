@@ -146,7 +146,7 @@ SketchChip::SketchChip(QWidget* views) : QToolButton(views) {
 void SketchChip::set_look(const Look& look) {
   const QString style = style_of(look.strength);
   if (styleSheet() != style) setStyleSheet(style);
-  setIcon(action_icon(look.icon));
+  setIcon(paper_icon(look.icon));
   setText(look.text);
   setToolButtonStyle(look.text.isEmpty() ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
   setFixedWidth(look.text.isEmpty() ? chip_size : sizeHint().width());

@@ -40,10 +40,6 @@ constexpr double name_share = 0.22;   // … which take at most that much of the
 constexpr double name_distance = 9;
 constexpr double title_height = 18;
 constexpr double dot_size = 4;
-const QColor domain_fill(58, 62, 70);
-const QColor domain_line(222, 226, 232);
-const QColor domain_smooth(126, 164, 232);
-const QColor domain_curve(186, 140, 224);
 
 std::size_t longest_side(const DomainPolygon& polygon) {
   std::size_t longest = 0;
@@ -89,12 +85,12 @@ void paint_polygon(QPainter& painter, const DomainPicture& picture, const Domain
   QPolygonF outline;
   for (const Vec2& corner : corners) outline << fit(corner);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(domain_fill);
+  painter.setBrush(theme_colors().raised);
   painter.drawPolygon(outline);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const QPointF a = fit(corners[k]), b = fit(corners[(k + 1) % corners.size()]);
     const bool smooth = picture.sides[k].smooth;
-    painter.setPen(QPen(smooth ? domain_smooth : domain_line, smooth ? 1.4 : 2.4));
+    painter.setPen(QPen(smooth ? theme_colors().link : theme_colors().text, smooth ? 1.4 : 2.4));
     painter.drawLine(a, b);
   }
 }
@@ -102,7 +98,7 @@ void paint_polygon(QPainter& painter, const DomainPicture& picture, const Domain
 /// Outside of the polygon, upright.
 void paint_names(QPainter& painter, const DomainPicture& picture, const DomainFit& fit, int most_width) {
   const std::vector<Vec2>& corners = picture.polygon.corners;
-  painter.setPen(domain_line);
+  painter.setPen(theme_colors().text);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const bool again = k > 0 && picture.sides[k].name == picture.sides[k - 1].name;
     if (again) continue;  // the second half of a side
@@ -119,7 +115,7 @@ void paint_names(QPainter& painter, const DomainPicture& picture, const DomainFi
 
 void paint_attributes(QPainter& painter, const DomainPicture& picture, const DomainFit& fit) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(domain_curve, 1.6));
+  painter.setPen(QPen(theme_colors().good, 1.6));
   for (const std::vector<Vec2>& curve : picture.curves) {
     QPolygonF line;
     for (const Vec2& place : curve) line << fit(place);
@@ -128,14 +124,15 @@ void paint_attributes(QPainter& painter, const DomainPicture& picture, const Dom
   for (const DomainPicture::Point& point : picture.points) {
     const double radius = point.radius * fit.scale();
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors::accent, point.selected ? 1.6 : 0.8, point.selected ? Qt::SolidLine : Qt::DotLine));
+    painter.setPen(
+        QPen(theme_colors().accent, point.selected ? 1.6 : 0.8, point.selected ? Qt::SolidLine : Qt::DotLine));
     painter.drawEllipse(fit(point.place), radius, radius);
-    painter.setBrush(colors::accent);
-    painter.setPen(QPen(point.selected ? Qt::white : Qt::black, 1));
+    painter.setBrush(theme_colors().accent);
+    painter.setPen(QPen(point.selected ? theme_colors().text : theme_colors().base, 1));
     painter.drawEllipse(fit(point.place), dot_size, dot_size);
   }
   if (!picture.pointer) return;
-  painter.setPen(QPen(colors::hover, 1));
+  painter.setPen(QPen(theme_colors().link, 1));
   const QPointF at = fit(*picture.pointer);
   painter.drawLine(at - QPointF(2 * dot_size, 0), at + QPointF(2 * dot_size, 0));
   painter.drawLine(at - QPointF(0, 2 * dot_size), at + QPointF(0, 2 * dot_size));
@@ -150,7 +147,7 @@ struct DomainRoom {
 
 void paint_domain(QPainter& painter, const DomainPicture& picture, const DomainRoom& where) {
   const QRectF& room = where.rect;
-  painter.setPen(colors::guide);
+  painter.setPen(theme_colors().faint);
   painter.drawText(QRectF(room.topLeft(), QSizeF(room.width(), title_height)), Qt::AlignCenter, where.title);
   const double aside = name_share * room.width();
   const DomainFit fit(picture.polygon, room.adjusted(aside, domain_margin + title_height / 2, -aside, -domain_margin),
@@ -252,7 +249,7 @@ void DomainView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!own_) {
-    painter.setPen(colors::guide);
+    painter.setPen(theme_colors().faint);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a patch or a point to see its domain"));
     return;
   }

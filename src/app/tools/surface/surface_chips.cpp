@@ -62,7 +62,6 @@ bool is_loop_of_face(const AttributeNetwork& network, std::vector<Index> curves)
 
 constexpr double state_margin = 10;  // logical pixels
 constexpr double network_hint_height = 70;
-constexpr const char* network_hint_style = "color: #6d7683; background: transparent; font-size: 15px";
 constexpr const char* lacking_style =
     "QToolButton, QLabel { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px;"
     " padding: 2px 9px } QToolButton:hover { background: #ffe2a8 }";
@@ -141,7 +140,7 @@ SurfaceChips::SurfaceChips(DrawnNetwork& network, const UniformGhost& ghost)
     : network_(network),
       ghost_(ghost),
       chips_(network.host.viewport()),
-      hint_(chips_.label("network-hint", network_hint_style)),
+      hint_(chips_.label("network-hint", hint_style)),
       sentence_(chips_.button("network-state", "", [this] { look_at(network_, state_.elements); })),
       patch_(chips_.button("patch-chip", offer_style, [this] { network_.host.action("fill-loop")->trigger(); })),
       gap_(chips_.label("gap-chip", lacking_style)) {
