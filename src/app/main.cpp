@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QJsonDocument>
 #include <QSurfaceFormat>
 #include <algorithm>
 #include <cstdio>
@@ -26,6 +27,7 @@ struct LaunchOptions {
   QString replay;      ///< --replay: play, then quit unless `stay`
   QString record;      ///< --record: append what is done to this recording
   bool stay = false;
+  bool stalls = false;  ///< --stalls: print the longest ones at the end
 };
 
 constexpr int wrong_usage = 2;
@@ -42,6 +44,7 @@ void describe(QCommandLineParser& parser) {
   parser.addOption({"replay", "Replay recorded actions and pen strokes, then quit.", "file"});
   parser.addOption({"record", "Append whatever is done to this recording.", "file"});
   parser.addOption({"stay", "Keep the window open after a replay."});
+  parser.addOption({"stalls", "At the end, print how long the window was busy at most, and with what, as JSON."});
   parser.addOption({"software-gl", "Draw without the graphics card."});
 }
 
@@ -70,7 +73,8 @@ std::optional<LaunchOptions> parse_command_line(const QStringList& arguments, in
     return std::nullopt;
   }
   LaunchOptions options{parser.positionalArguments(), parser.value("new"),    parser.value("screenshot"),
-                        parser.value("replay"),       parser.value("record"), parser.isSet("stay")};
+                        parser.value("replay"),       parser.value("record"), parser.isSet("stay"),
+                        parser.isSet("stalls")};
   const QStringList kinds{"silhouette", "perspective", "surface"};
   if (!options.new_kind.isEmpty() && !kinds.contains(options.new_kind)) {
     refuse("--new takes silhouette, perspective or surface; \"" + options.new_kind + "\" is not built yet");
@@ -142,6 +146,7 @@ int run(const LaunchOptions& options) {
     exit_code = QApplication::exec();
   }
   window.files().keeper().close_cleanly();
+  if (options.stalls) std::fputs(QJsonDocument(to_json(window.parts().stalls.longest())).toJson().constData(), stdout);
   return exit_code;
 }
 

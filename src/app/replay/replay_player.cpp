@@ -21,6 +21,7 @@ namespace {
 
 constexpr int longest_wait_ms = 60'000;
 constexpr int replay_pause_ms = 20;
+constexpr int longest_name = 60;  // letters of a step, where it is named
 
 }  // namespace
 
@@ -56,6 +57,7 @@ void play(MainWindow& window, const std::vector<recorded::Line>& lines) {
   window.set_unattended();
   const Replays replays = replays_of(window);
   for (const recorded::Line& line : lines) {
+    window.parts().stalls.note(QString::fromStdString(recorded::to_line(line.step)).left(longest_name));
     try {
       play_step(replays, line.step);
     } catch (const Error& error) {

@@ -14,7 +14,7 @@
 namespace croquis::app {
 namespace {
 
-constexpr std::size_t corners_at_once = 200'000;  // of more, making an item causes a visible delay
+constexpr std::size_t corners_at_once = 50'000;  // of more, making an item causes a visible delay
 
 bool same_options(const render::MeshItemOptions& a, const render::MeshItemOptions& b) {
   return a.shading == b.shading && a.crease_angle == b.crease_angle;

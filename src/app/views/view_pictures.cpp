@@ -18,6 +18,7 @@ constexpr double ink_margin = 6;  // logical pixels around samples: half of the 
 constexpr int settle_ms = 180;
 constexpr int patience_ms = 700;
 constexpr double affordable_ms = 90;               // a frame that takes longer is a visible delay
+constexpr double fine_by_coarse = 4;               // a fine frame has twice as many pixels in each direction
 constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more is a visible delay
 
 /// Drawings in perspective and networks have z upwards: the cross says so while they are worked on.
@@ -150,8 +151,22 @@ void draw_views(ViewPictures& pictures, const std::optional<Ink>& ink) {
   }
   if (pictures.uploading) views.widget.update();
   // The graphics card, or who does its work, begins long after the calls that describe the picture.
-  if (fine) gl.glFinish();
-  if (fine) pictures.affordable = static_cast<double>(watch.elapsed()) < affordable_ms;
+  const bool measures = std::exchange(pictures.measuring, false);
+  if (!fine && !measures) return;
+  gl.glFinish();
+  pictures.affordable = static_cast<double>(watch.elapsed()) * (fine ? 1 : fine_by_coarse) < affordable_ms;
+}
+
+/// Once for each document a coarse frame is drawn again, with all that it needs made: it shows what a fine one would
+/// take. Without a graphics card that can be seconds.
+void measure(ViewPictures& pictures) {
+  pictures.measuring = true;
+  for (PaneState& state : pictures.states) {
+    state.drawn = false;
+    state.picture.reset();
+  }
+  pictures.views.widget.update();
+  pictures.pause.start(settle_ms);
 }
 
 void redraw(ViewPictures& pictures, int view) {
@@ -249,7 +264,8 @@ void InkSheet::draw_new_ink(render::Renderer& renderer, const std::vector<Stroke
 ViewPictures::ViewPictures(Views& shown) : views(shown) {
   pause.setSingleShot(true);
   patience.setSingleShot(true);
-  QObject::connect(&pause, &QTimer::timeout, &pause, [this] { settle(*this, affordable); });
+  QObject::connect(&pause, &QTimer::timeout, &pause,
+                   [this] { std::exchange(measured, true) ? settle(*this, affordable) : measure(*this); });
   QObject::connect(&patience, &QTimer::timeout, &pause, [this] {
     stale = true;
     emit views.changed();
@@ -261,7 +277,10 @@ ViewPictures::ViewPictures(Views& shown) : views(shown) {
     pause.start(settle_ms);
   });
   QObject::connect(&views.studio, &Studio::busy_changed, &pause, [this](bool busy) { follow_busy(*this, busy); });
-  QObject::connect(&views.studio, &Studio::loaded, &pause, [this] { affordable = true; });
+  QObject::connect(&views.studio, &Studio::loaded, &pause, [this] {
+    affordable = true;
+    measured = false;
+  });
 }
 
 bool draw(ViewPictures& pictures) {

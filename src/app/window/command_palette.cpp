@@ -76,7 +76,8 @@ void add_files_and_pages(std::vector<Command>& commands, MainWindow& window) {
                         }});
   }
   for (const QString& heading : manual_headings())
-    commands.push_back({heading, palette_text("Help"), {}, true, [&window, heading] { show_manual(window, heading); }});
+    commands.push_back(
+        {heading, palette_text("Help"), {}, true, [&window, heading] { show_manual(window, {heading}); }});
 }
 
 bool begins_word(const QString& text, qsizetype at) { return at == 0 || !text[at - 1].isLetterOrNumber(); }

@@ -3,27 +3,33 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QClipboard>
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QFile>
+#include <QHash>
 #include <QMenu>
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <QWhatsThis>
+#include <algorithm>
 
 #include "app/tours/tour_bar.h"
 #include "app/views/viewport.h"
 #include "app/window/command_palette.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
+#include "app/window/report.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr QSize help_size(760, 620);
+const QString menus_section = QStringLiteral("Menus");
 
 QString help_words(const char* words) { return QCoreApplication::translate("Help", words); }
 
@@ -51,60 +57,139 @@ QString without_links(QString text) {
 
 /// @param folder of a language, "ko/"; empty for English
 QString manual_text(const QString& folder) {
+  static QHash<QString, QString> read;
+  QString& text = read[folder];
   QFile manual(QStringLiteral(":/docs/%1studio.md").arg(folder));
-  return manual.open(QIODevice::ReadOnly) ? without_links(QString::fromUtf8(manual.readAll())) : QString();
+  if (text.isEmpty() && manual.open(QIODevice::ReadOnly)) text = without_links(QString::fromUtf8(manual.readAll()));
+  return text;
 }
 
 QString language_folder() { return kept_language() == "en" ? QString() : kept_language() + '/'; }
 
-QStringList headings_of(const QString& text) {
+/// @param folder as above
+QStringList headings_in(const QString& folder) {
   static const QRegularExpression heading(QStringLiteral("^#{2,3} +(.+)$"), QRegularExpression::MultilineOption);
-  QStringList found;
-  for (const auto& each : heading.globalMatch(text)) found << each.captured(1);
+  static QHash<QString, QStringList> read;
+  QStringList& found = read[folder];
+  if (!found.isEmpty()) return found;
+  for (const auto& each : heading.globalMatch(manual_text(folder))) found << each.captured(1);
   return found;
 }
 
-/// What somebody who helps asks for first. No names, no shapes.
-QString diagnostics(MainWindow& window) {
-  const Studio& studio = window.studio();
-  QStringList lines{
-      QObject::tr("Croquis %1").arg(QCoreApplication::applicationVersion()),
-      QObject::tr("Qt %1, %2, %3").arg(qVersion(), QSysInfo::prettyProductName(), QGuiApplication::platformName()),
-      QObject::tr("Graphics: %1").arg(window.viewport().graphics()),
-      QObject::tr("Window %1 × %2, scale %3").arg(window.width()).arg(window.height()).arg(window.devicePixelRatioF()),
-      QObject::tr("Objects: %1").arg(studio.objects().size())};
-  for (const WorkObject& object : studio.objects()) {
-    QStringList chain;
-    for (const NodeId id : object.chain) {
-      const Node* node = studio.session().document().find(id);
-      if (node != nullptr)
-        chain << (node->operation.empty() ? QObject::tr("source") : QString::fromStdString(node->operation));
-    }
-    const auto mesh = object.shown();
-    lines << QObject::tr("- %1: %2 vertices, %3 faces")
-                 .arg(chain.join(QStringLiteral(" > ")))
-                 .arg(mesh ? mesh->vertex_count() : 0)
-                 .arg(mesh ? mesh->face_count() : 0);
+/// Tools know the English headings; other languages have theirs in the same order.
+QString own_heading(const QString& heading) {
+  const auto place = headings_in({}).indexOf(heading);
+  return place < 0 ? heading : manual_headings().value(place, heading);
+}
+
+/// The sentences and the rows of tables below a heading, in the language in use. @param heading in English
+QStringList passages_of(const QString& heading) {
+  static const QRegularExpression any_heading(QStringLiteral("^#+ .*$"), QRegularExpression::MultilineOption);
+  static const QRegularExpression end(QStringLiteral("\\|\\n\\||(?<=\\.) "));
+  static QHash<QString, QStringList> read;
+  QStringList& passages = read[language_folder() + heading];
+  if (!passages.isEmpty()) return passages;
+  const QString text = manual_text(language_folder());
+  const auto begin = text.indexOf(' ' + own_heading(heading) + '\n');
+  const auto length = text.indexOf(any_heading, begin + 1) - begin;
+  for (QString& part : text.mid(begin, begin < 0 ? 0 : length).split(QStringLiteral("\n\n")).mid(1)) {
+    if (!part.startsWith('|')) part.replace('\n', ' ');
+    for (QString& passage : part.split(end))
+      passages << passage.remove('*').remove('`').replace('|', QStringLiteral(" – ")).trimmed();
   }
-  for (const NodeFinding& found : findings_of(studio)) lines << "- " + QString::fromStdString(found.finding.code);
-  return lines.join('\n') + '\n';
+  return passages;
+}
+
+/// The first of the words that one of the sections has. @param headings in English, the best first
+HelpPlace place_of(const QStringList& words, const QStringList& headings) {
+  for (const QString& word : words) {
+    for (const QString& heading : headings) {
+      const QStringList passages = passages_of(heading);
+      if (std::ranges::any_of(passages, [&](const QString& each) { return each.contains(word); }))
+        return {heading, word};
+    }
+  }
+  return {headings.back(), {}};
+}
+
+/// What the pointer is on, in words of HTML, and where the manual is about it.
+struct About {
+  QString text;
+  HelpPlace place;
+};
+
+About about(const QString& title, const QString& keys, const QString& tooltip, const HelpPlace& place) {
+  QString text = QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped());
+  if (!keys.isEmpty()) text += " (" + keys.toHtmlEscaped() + ')';
+  if (!tooltip.isEmpty() && !tooltip.startsWith(title)) text += "<p>" + tooltip.toHtmlEscaped() + "</p>";
+  const QStringList passages = passages_of(place.heading);
+  const auto found = std::ranges::find_if(passages, [&](const QString& each) { return each.contains(place.words); });
+  if (found != passages.end()) text += "<p>" + found->toHtmlEscaped() + "</p>";
+  return {text + "<p><i>" + help_words("Help") + ": " + own_heading(place.heading).toHtmlEscaped() + "</i></p>", place};
+}
+
+About about(const QAction& action) {
+  return about(plain_text(action), keys_of(action), action.toolTip().section(QStringLiteral(" ("), 0, 0),
+               help_place_of(action));
+}
+
+/// A widget is explained by what its tooltip or that of what it lies in says, and by its panel or the tool in hand.
+About about(MainWindow& window, const QWidget& widget) {
+  const auto* button = qobject_cast<const QToolButton*>(&widget);
+  if (button != nullptr && button->defaultAction() != nullptr) return about(*button->defaultAction());
+  QString title = widget.accessibleName();
+  QString tooltip;
+  for (const QWidget* each = &widget; each != nullptr && each != &window; each = each->parentWidget()) {
+    if (tooltip.isEmpty()) tooltip = each->toolTip();
+    const auto* panel = qobject_cast<const QDockWidget*>(each);
+    if (panel == nullptr) continue;
+    // Where the section about its tool doesn't name it, another one does.
+    const QStringList headings = QStringList{panel->property("topic").toString()} + headings_in({});
+    const HelpPlace place = place_of({panel->windowTitle()}, headings);
+    return about(title.isEmpty() ? panel->windowTitle() : title, {}, tooltip, place);
+  }
+  const QString topic = window.shows_views() ? help_topic_of(window.views()) : QString();
+  return about(title.isEmpty() ? own_heading(topic) : title, {}, tooltip, {topic, {}});
+}
+
+/// What Shift+F1 shows, from one rule for all.
+void explain_everything(MainWindow& window) {
+  for (QWidget* widget : window.findChildren<QWidget*>()) widget->setWhatsThis(about(window, *widget).text);
+  for (QAction* action : window.actions()) action->setWhatsThis(about(*action).text);
+}
+
+/// Of what is under the pointer, else of what has the keyboard.
+HelpPlace place_in_hand(MainWindow& window) {
+  const QWidget* widget = QApplication::widgetAt(QCursor::pos());
+  if (widget == nullptr || widget->window() != &window) widget = QApplication::focusWidget();
+  return widget == nullptr ? HelpPlace() : about(window, *widget).place;
 }
 
 }  // namespace
 
-QStringList manual_headings() { return headings_of(manual_text(language_folder())); }
+QStringList manual_headings() { return headings_in(language_folder()); }
 
-void show_manual(QWidget& parent, const QString& heading) {
+HelpPlace help_place_of(const QAction& action) {
+  QStringList words = menu_place(action).split(QStringLiteral(" ▸ "), Qt::SkipEmptyParts);
+  words << plain_text(action);
+  std::ranges::reverse(words);
+  return place_of(words, {action.property("topic").toString(), menus_section});
+}
+
+void show_manual(QWidget& parent, const HelpPlace& place) {
   QTextBrowser* text = open_page(parent, "manual", help_words("Help"));
   text->setMarkdown(manual_text(language_folder()));
-  // Tools know the English headings; other languages have theirs in the same order.
-  const auto place = headings_of(manual_text({})).indexOf(heading);
-  const QString own = manual_headings().value(place, heading);
+  const QString own = own_heading(place.heading);
   text->window()->show();
+  bool inside = false;
   for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
-    if (block.blockFormat().headingLevel() == 0 || block.text() != own) continue;
+    const bool begins = block.blockFormat().headingLevel() != 0;
+    if (inside && (begins || place.words.isEmpty())) return;
+    inside = inside || (begins && block.text() == own);
+    if (!inside || (!begins && !block.text().contains(place.words))) continue;
     text->setTextCursor(QTextCursor(block));
     text->verticalScrollBar()->setValue(text->verticalScrollBar()->value() + text->cursorRect().top());
+    if (!begins) return;
   }
 }
 
@@ -152,17 +237,18 @@ void add_help_menu(MainWindow& window) {
     actions.add(menu, name, text, keys, std::move(work), Recorded::ByItself);
   };
   add("help", QObject::tr("Help for the present tool"), {QKeySequence(Qt::Key_F1)},
-      [&window] { show_manual(window, window.shows_views() ? help_topic_of(window.views()) : QString()); });
+      [&window] { show_manual(window, place_in_hand(window)); });
+  add("help-whats-this", QObject::tr("What's this?"), {QKeySequence(Qt::SHIFT | Qt::Key_F1)}, [&window] {
+    explain_everything(window);
+    QWhatsThis::enterWhatsThisMode();
+  });
   add("help-keys", QObject::tr("Keys of the present tool"), {}, [&window] { show_keys(window, window.actions()); });
   add("help-examples", QObject::tr("Examples"), {}, [&window] {
     if (window.shows_views()) show_start_page(window);
   });
   add_tour_actions(window, menu->addMenu(QObject::tr("Tours")));
   menu->addSeparator();
-  add("help-diagnostics", QObject::tr("Copy diagnostics"), {}, [&window] {
-    QApplication::clipboard()->setText(diagnostics(window));
-    window.say(QObject::tr("Version, graphics and what is open were copied: paste them where you ask"));
-  });
+  add("help-report", QObject::tr("Report a problem…"), {}, [&window] { ask_report(window); });
   add("help-about", QObject::tr("About Croquis"), {}, [&window] { show_about(window); });
 }
 

@@ -11,9 +11,17 @@ namespace croquis::app {
 
 class MainWindow;
 
-/// Opens the manual of the studio in a window of its own, at the heading of that name.
-/// @param heading in English or the language in use; empty, or one that the manual lacks: at its beginning
-void show_manual(QWidget& parent, const QString& heading);
+/// A place of the manual.
+struct HelpPlace {
+  QString heading;     ///< of a section, in English or the language in use; empty: the beginning
+  QString words = {};  ///< where they stand first in the section, in the language in use; empty: at the heading
+};
+
+/// Opens the manual of the studio in a window of its own.
+void show_manual(QWidget& parent, const HelpPlace& place);
+
+/// Where the manual names an action, else its menu: in the section about its tool, else in that about the menus.
+HelpPlace help_place_of(const QAction& action);
 
 /// The headings of the manual's sections, in the language in use.
 QStringList manual_headings();

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QFile>
@@ -34,6 +35,7 @@ namespace croquis::app {
 namespace {
 
 constexpr int progress_pause_ms = 200;
+constexpr std::size_t most_steps = 1000;  // a stroke of the pen has some kilobytes
 
 /// The next action, in words and keys.
 void show_help(MainWindow& window) {
@@ -57,6 +59,16 @@ void stop_work(WindowParts& parts) {
   parts.studio.cancel();
   if (!was_busy) return;
   for (const auto& tool : parts.tools) tool->command(EditCommand::Cancel);
+}
+
+/// What has been added since the last call is explained where the manual is about it.
+void note_topic(MainWindow& window, const QString& heading) {
+  QList<QObject*> all;
+  for (QAction* action : window.actions()) all << action;
+  for (QDockWidget* dock : window.parts().docks->all()) all << dock;
+  for (QObject* each : all) {
+    if (!each->property("topic").isValid()) each->setProperty("topic", heading);
+  }
 }
 
 /// The line below the views, with the progress of what is busy.
@@ -84,11 +96,13 @@ void add_help_line(MainWindow& window) {
       cancel->setVisible(busy);
     });
     QObject::connect(&work, &Work::progress_changed, &window, [since, progress](double fraction, const QString& step) {
-      // The bar draws itself at once, and the whole window with it.
       if (since->isValid() && !since->hasExpired(progress_pause_ms)) return;
       since->start();
+      // By itself the bar draws the whole window at once; so it is drawn with what else has changed.
+      progress->setUpdatesEnabled(false);
       progress->setValue(static_cast<int>(fraction * progress->maximum()));
       progress->setFormat(localized(step.toStdString()));
+      progress->setUpdatesEnabled(true);
     });
   };
   follow(parts.studio);
@@ -99,13 +113,16 @@ void add_help_line(MainWindow& window) {
 void add_tools(MainWindow& window) {
   WindowParts& parts = window.parts();
   parts.tools = all_tools(window);
+  note_topic(window, QStringLiteral("Objects and their steps"));
   std::vector<Tool*> tools;
   for (const auto& tool : parts.tools) {
     tool->make_actions(*parts.actions);
+    note_topic(window, tool->help_topic);
     tools.push_back(tool.get());
   }
   for (Tool* tool : tools) {
     tool->make_panels(*parts.docks);
+    note_topic(window, tool->help_topic);
     QObject::connect(tool, &Tool::state_changed, &window, &MainWindow::refresh);
   }
   set_tools(parts.viewport->views(), std::move(tools));
@@ -228,6 +245,12 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
   add_last_menus(*this);
   connect(&parts_.studio, &Studio::changed, this, &MainWindow::refresh);
   connect(&parts_.studio, &Studio::result_changed, this, &MainWindow::refresh);
+  connect(&parts_.studio, &Studio::loaded, this, [this] {
+    // What begins a document belongs to it.
+    auto& steps = parts_.steps;
+    const bool begins = !steps.empty() && steps.back().find("\"name\":\"new") != std::string::npos;
+    steps.erase(steps.begin(), steps.end() - (begins ? 1 : 0));
+  });
   follow_files(*this);
   follow_start_page(*this);
   follow_views(*this);
@@ -311,6 +334,8 @@ void MainWindow::record_to(const QString& path) {
 
 void MainWindow::record(const recorded::Step& step) {
   if (parts_.recorder) parts_.recorder->add(step);
+  parts_.steps.push_back(recorded::to_line(step));
+  if (parts_.steps.size() > most_steps) parts_.steps.pop_front();
   emit step_recorded(step);
 }
 

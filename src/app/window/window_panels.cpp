@@ -322,6 +322,7 @@ void add_actions(MainWindow& window) {
   parts.actions = std::make_unique<ActionList>(window, [&window](const QString& name, Recorded recorded) {
     // Those that ask for a file are recorded with its name, once it is known.
     if (recorded == Recorded::AsAction && !asks_for_file(name)) window.record(recorded::Action{name.toStdString()});
+    window.parts().stalls.note(name);
     window.parts().help->clear();
   });
   parts.actions->bar("tools", QObject::tr("Tools"));

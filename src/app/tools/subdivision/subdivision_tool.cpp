@@ -261,7 +261,7 @@ Findings keep_selected_faces(Studio& studio, KeptShape kept) {
 }
 
 SubdivisionTool::SubdivisionTool(ToolHost& host)
-    : Tool(host), comparison_(host.studio(), host.viewport().objects().threads(), nullptr) {
+    : Tool(host, "Subdivision"), comparison_(host.studio(), host.viewport().objects().threads(), nullptr) {
   connect(&comparison_, &Comparison::changed, this, [this] { emit changed(ComparisonView); });
 }
 
