@@ -88,6 +88,10 @@
         <translation>작업이 백업되지 않고 있습니다: %1.</translation>
     </message>
     <message>
+        <source>Unit: %1</source>
+        <translation>단위: %1</translation>
+    </message>
+    <message>
         <source>Keep proportions</source>
         <translation>비율 유지</translation>
     </message>
@@ -168,6 +172,10 @@
         <translation>검사 결과</translation>
     </message>
     <message>
+        <source>Nothing is wrong. Problems of drawings and meshes are listed here.</source>
+        <translation>문제가 없습니다. 드로잉과 메쉬의 문제는 여기에 나열됩니다.</translation>
+    </message>
+    <message>
         <source>History</source>
         <translation>작업 내역</translation>
     </message>
@@ -204,6 +212,18 @@
         <translation>스케치</translation>
     </message>
     <message>
+        <source>Perspective drawing</source>
+        <translation>투시 드로잉</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>커브</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>메쉬</translation>
+    </message>
+    <message>
         <source>Start from a sketch</source>
         <translation>스케치로 시작</translation>
     </message>
@@ -230,6 +250,10 @@
     <message>
         <source>Open…</source>
         <translation>열기…</translation>
+    </message>
+    <message>
+        <source>Tours</source>
+        <translation>튜토리얼</translation>
     </message>
     <message>
         <source>Back to %1</source>
@@ -1056,10 +1080,6 @@
         <translation>%1이(가) 나머지보다 %2배 큽니다</translation>
     </message>
     <message>
-        <source>Mesh</source>
-        <translation>메쉬</translation>
-    </message>
-    <message>
         <source>Scale to the scene</source>
         <translation>씬에 맞춰 크기 조절</translation>
     </message>
@@ -1420,10 +1440,6 @@
         <translation>투시</translation>
     </message>
     <message>
-        <source>Perspective drawing</source>
-        <translation>투시 드로잉</translation>
-    </message>
-    <message>
         <source>A4 landscape</source>
         <translation>A4 가로</translation>
     </message>
@@ -1568,6 +1584,50 @@
         <translation>%1축에 수직인 평면 안, %2 페이스 위</translation>
     </message>
     <message>
+        <source>Body</source>
+        <translation>몸통</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>머리</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>귀</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>눈</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>팔</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>다리</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>꼬리</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>부위</translation>
+    </message>
+    <message>
+        <source>Left %1</source>
+        <translation>왼쪽 %1</translation>
+    </message>
+    <message>
+        <source>Right %1</source>
+        <translation>오른쪽 %1</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>부위 %1</translation>
+    </message>
+    <message>
         <source>1 stroke</source>
         <translation>획 1개</translation>
     </message>
@@ -1630,10 +1690,6 @@
     <message>
         <source>Thickness of %1. Drag its front; click to type it</source>
         <translation>%1의 두께입니다. 앞면을 드래그하거나 클릭하여 입력하세요</translation>
-    </message>
-    <message>
-        <source>Body %1</source>
-        <translation>몸체 %1</translation>
     </message>
     <message>
         <source>Hidden line</source>
@@ -2140,10 +2196,6 @@
         <translation>%1의 기울기</translation>
     </message>
     <message>
-        <source>Curves</source>
-        <translation>커브</translation>
-    </message>
-    <message>
         <source>Curve %1</source>
         <translation>커브 %1</translation>
     </message>
@@ -2218,6 +2270,34 @@
     <message>
         <source>Tolerance of ends: %1</source>
         <translation>끝점 허용 오차: %1</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>시연</translation>
+    </message>
+    <message>
+        <source>Does this step for you</source>
+        <translation>이 단계를 대신 실행합니다</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>건너뛰기</translation>
+    </message>
+    <message>
+        <source>Goes on without this step</source>
+        <translation>이 단계 없이 넘어갑니다</translation>
+    </message>
+    <message>
+        <source>End tour</source>
+        <translation>튜토리얼 종료</translation>
+    </message>
+    <message>
+        <source>Ends the tour; what is drawn stays</source>
+        <translation>튜토리얼을 끝냅니다. 그린 것은 그대로 남습니다</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>%2단계 중 %1단계</translation>
     </message>
     <message>
         <source>Marking menu</source>
@@ -2336,36 +2416,68 @@
         <translation>단축키</translation>
     </message>
     <message>
+        <source>rotate</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>줌</translation>
+    </message>
+    <message>
+        <source>Pen with pressure</source>
+        <translation>필압 있는 펜</translation>
+    </message>
+    <message>
+        <source>Pen without pressure</source>
+        <translation>필압 없는 펜</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>마우스</translation>
+    </message>
+    <message>
+        <source>Welcome to Croquis</source>
+        <translation>Croquis에 오신 것을 환영합니다</translation>
+    </message>
+    <message>
+        <source>Choose what you are used to. Edit &gt; Preferences changes it later.</source>
+        <translation>익숙한 방식을 선택하십시오. 나중에 편집 &gt; 환경 설정에서 바꿀 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>테마</translation>
+    </message>
+    <message>
+        <source>&amp;Keys as in</source>
+        <translation>단축키 방식</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation as in</source>
+        <translation>화면 조작 방식</translation>
+    </message>
+    <message>
+        <source>Draw on the strip</source>
+        <translation>위 칸에 그려 보십시오</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>펜</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>시작</translation>
+    </message>
+    <message>
         <source>Open folder</source>
         <translation>폴더 열기</translation>
-    </message>
-    <message>
-        <source>Croquis %1</source>
-        <translation>Croquis %1</translation>
-    </message>
-    <message>
-        <source>Qt %1, %2, %3</source>
-        <translation>Qt %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>Graphics: %1</source>
-        <translation>그래픽: %1</translation>
-    </message>
-    <message>
-        <source>Window %1 × %2, scale %3</source>
-        <translation>창 %1 × %2, 배율 %3</translation>
-    </message>
-    <message>
-        <source>Objects: %1</source>
-        <translation>오브젝트: %1</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>원본</translation>
-    </message>
-    <message>
-        <source>- %1: %2 vertices, %3 faces</source>
-        <translation>- %1: 정점 %2개, 페이스 %3개</translation>
     </message>
     <message>
         <source>Keys of the present tool</source>
@@ -2392,12 +2504,12 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>현재 도구 도움말</translation>
     </message>
     <message>
-        <source>Copy diagnostics</source>
-        <translation>진단 정보 복사</translation>
+        <source>What's this?</source>
+        <translation>이것은 무엇입니까?</translation>
     </message>
     <message>
-        <source>Version, graphics and what is open were copied: paste them where you ask</source>
-        <translation>버전, 그래픽, 열린 항목 정보를 복사했습니다. 문의하는 곳에 붙여 넣으세요</translation>
+        <source>Report a problem…</source>
+        <translation>문제 보고…</translation>
     </message>
     <message>
         <source>"%1" holds no keys: %2. Choose a file that was exported from the list of keys.</source>
@@ -2442,18 +2554,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Cancelled.</source>
         <translation>취소되었습니다.</translation>
-    </message>
-    <message>
-        <source>Alt + left button rotates, Alt + middle pans, Alt + right zooms</source>
-        <translation>Alt + 왼쪽 버튼은 회전, Alt + 가운데 버튼은 화면 이동, Alt + 오른쪽 버튼은 확대/축소입니다</translation>
-    </message>
-    <message>
-        <source>The middle button rotates, with Shift pans, with Ctrl zooms</source>
-        <translation>가운데 버튼은 회전, Shift와 함께 화면 이동, Ctrl과 함께 확대/축소입니다</translation>
-    </message>
-    <message>
-        <source>The middle button rotates, with Ctrl pans, with Shift zooms</source>
-        <translation>가운데 버튼은 회전, Ctrl과 함께 화면 이동, Shift와 함께 확대/축소입니다</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
@@ -2508,6 +2608,18 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>"%1"을(를) 읽을 수 없습니다: %2</translation>
     </message>
     <message>
+        <source>Alt + left button rotates, Alt + middle pans, Alt + right zooms</source>
+        <translation>Alt + 왼쪽 버튼은 회전, Alt + 가운데 버튼은 화면 이동, Alt + 오른쪽 버튼은 확대/축소입니다</translation>
+    </message>
+    <message>
+        <source>The middle button rotates, with Shift pans, with Ctrl zooms</source>
+        <translation>가운데 버튼은 회전, Shift와 함께 화면 이동, Ctrl과 함께 확대/축소입니다</translation>
+    </message>
+    <message>
+        <source>The middle button rotates, with Ctrl pans, with Shift zooms</source>
+        <translation>가운데 버튼은 회전, Ctrl과 함께 화면 이동, Shift와 함께 확대/축소입니다</translation>
+    </message>
+    <message>
         <source>Preferences</source>
         <translation>환경 설정</translation>
     </message>
@@ -2516,16 +2628,40 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>명령 및 단축키 검색</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>언어</translation>
+        <source>S&amp;cale</source>
+        <translation>배율</translation>
     </message>
     <message>
-        <source>&amp;Navigation as in</source>
-        <translation>화면 조작 방식</translation>
+        <source>A scale takes effect at the next start</source>
+        <translation>배율은 다음에 시작할 때 적용됩니다</translation>
     </message>
     <message>
-        <source>&amp;Keys as in</source>
-        <translation>단축키 방식</translation>
+        <source>Wrote %1: attach it where you ask for help</source>
+        <translation>%1을(를) 썼습니다. 도움을 요청하는 곳에 첨부하십시오</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>문제 보고</translation>
+    </message>
+    <message>
+        <source>The report is one text file. It has the versions of Croquis and the system, the graphics card, the window's settings, the number of vertices and faces of each object, and kinds of findings, and when the window was slow. Nothing is sent: attach the file where you ask for help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the strokes and commands since the document was opened, and the sentences of findings</source>
+        <translation>문서를 연 뒤의 획과 명령, 검사 결과의 문장 포함</translation>
+    </message>
+    <message>
+        <source>With the document</source>
+        <translation>문서 포함</translation>
+    </message>
+    <message>
+        <source>It will be written to:</source>
+        <translation>저장할 위치:</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>복사</translation>
     </message>
     <message>
         <source>Add step</source>
@@ -2594,6 +2730,18 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Keep the shape</source>
         <translation>모양 유지</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>어둡게</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>밝게</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>고대비</translation>
     </message>
     <message>
         <source>Project (*.croq)</source>
@@ -2866,6 +3014,170 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Restore default layout</source>
         <translation>기본 레이아웃 복원</translation>
+    </message>
+    <message>
+        <source>Sketch a character</source>
+        <translation>캐릭터 스케치</translation>
+    </message>
+    <message>
+        <source>Draw the body: begin at the dot, follow the dotted line and come back. It becomes solid at once.</source>
+        <translation>몸체를 그리세요. 점에서 시작해 점선을 따라 돌아오면 바로 솔리드가 됩니다.</translation>
+    </message>
+    <message>
+        <source>Draw the head. It crosses the body: the outline that is drawn later lies in front.</source>
+        <translation>머리를 그리세요. 몸체와 겹치며, 나중에 그린 윤곽선이 앞에 놓입니다.</translation>
+    </message>
+    <message>
+        <source>Hold Shift and draw both ears. Lines drawn with Shift lie behind everything that is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw each arm as a single line that begins on the body. An open line becomes a limb.</source>
+        <translation>팔은 몸체에서 시작하는 선 하나로 그리세요. 열린 선은 팔다리가 됩니다.</translation>
+    </message>
+    <message>
+        <source>Choose Sketch &gt; Join limbs: arms and body become one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose View &gt; Four views to see your character from all sides.</source>
+        <translation>뷰 &gt; 4분할 뷰를 선택해 캐릭터를 여러 방향에서 보세요.</translation>
+    </message>
+    <message>
+        <source>Your character is solid. Drag in the perspective view to look around it, draw more, or export it with File &gt; Export mesh.</source>
+        <translation>캐릭터가 솔리드로 완성되었습니다. 투시 뷰에서 드래그해 둘러보거나, 더 그리거나, 파일 &gt; 메쉬 내보내기로 내보내세요.</translation>
+    </message>
+    <message>
+        <source>A box in perspective</source>
+        <translation>투시로 그린 상자</translation>
+    </message>
+    <message>
+        <source>Draw the edge of the box that is nearest to you, from the dot along the dotted line.</source>
+        <translation>가장 가까운 상자 에지를 점에서 점선을 따라 그리세요.</translation>
+    </message>
+    <message>
+        <source>Draw the two upper edges that leave it. They run towards two vanishing points.</source>
+        <translation>위쪽 끝에서 나가는 두 에지를 그리세요. 두 소실점을 향합니다.</translation>
+    </message>
+    <message>
+        <source>Draw the two lower edges in the same way. Ends that come near a corner go to it.</source>
+        <translation>아래쪽 두 에지도 똑같이 그리세요. 모서리 가까이에서 끝나는 선은 그 모서리에 붙습니다.</translation>
+    </message>
+    <message>
+        <source>Draw the two outer upright edges.</source>
+        <translation>바깥쪽의 세로 에지 두 개를 그리세요.</translation>
+    </message>
+    <message>
+        <source>Close the top with its two far edges.</source>
+        <translation>뒤쪽의 두 에지로 윗면을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>Draw the three edges that the box hides, as if it were made of glass. Then it is closed.</source>
+        <translation>유리 상자처럼, 가려진 에지 세 개를 그리세요. 그러면 상자가 닫힙니다.</translation>
+    </message>
+    <message>
+        <source>Choose Perspective &gt; Look through the drawing: the solid stands exactly behind your lines.</source>
+        <translation>투시 &gt; 드로잉 시점으로 보기를 선택하세요. 솔리드가 그린 선과 정확히 겹칩니다.</translation>
+    </message>
+    <message>
+        <source>The box is a solid with true proportions. Rotate it in the perspective view, or give an edge its length in the panel Perspective.</source>
+        <translation>상자가 실제 비율의 솔리드가 되었습니다. 투시 뷰에서 돌려 보거나, 투시 패널에서 에지의 길이를 지정하세요.</translation>
+    </message>
+    <message>
+        <source>A surface from curves</source>
+        <translation>커브로 만드는 서피스</translation>
+    </message>
+    <message>
+        <source>Draw the first curve on the ground, from the dot along the dotted line.</source>
+        <translation>첫 번째 커브를 점에서 점선을 따라 지면에 그리세요.</translation>
+    </message>
+    <message>
+        <source>Draw the second curve from the end of the first one: ends that come near each other meet.</source>
+        <translation>첫 번째 커브의 끝에서 두 번째 커브를 그리세요. 가까운 끝끼리는 이어집니다.</translation>
+    </message>
+    <message>
+        <source>Draw an arch back to the beginning. Between two ends a curve may rise from the ground.</source>
+        <translation>처음으로 돌아오는 아치를 그리세요. 두 끝 사이의 커브는 지면 위로 솟을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The curves close a loop. Press Enter, or choose Surface &gt; Patch: a smooth patch fills it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the tool Point on a patch.</source>
+        <translation>패치 위의 점 도구를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>Press on the patch inside the ring and pull it down: a soft dent.</source>
+        <translation>고리 안에서 패치를 누른 채 아래로 끌면 부드럽게 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Choose View &gt; Zebra stripes: even stripes without kinks show a smooth surface.</source>
+        <translation>뷰 &gt; 지브라 줄무늬를 선택하세요. 꺾이지 않고 고른 줄무늬는 매끄러운 서피스를 뜻합니다.</translation>
+    </message>
+    <message>
+        <source>Three curves and one dent make a smooth surface. Drag a curve with the tool Select, or draw more curves to add patches.</source>
+        <translation>커브 세 개와 점 하나로 매끄러운 서피스가 완성되었습니다. 선택 도구로 커브를 끌거나, 커브를 더 그려 패치를 추가하세요.</translation>
+    </message>
+    <message>
+        <source>Sharp edges on a cage</source>
+        <translation>케이지의 날카로운 에지</translation>
+    </message>
+    <message>
+        <source>A coarse cage becomes a smooth screw. Choose Mesh &gt; Subdivision &gt; Cage and smooth surface to see both.</source>
+        <translation>거친 케이지가 매끄러운 나사가 됩니다. 메쉬 &gt; 서브디비전 &gt; 케이지와 스무스 서피스를 선택해 둘 다 보세요.</translation>
+    </message>
+    <message>
+        <source>Choose Edges, so that a click picks edges of the cage.</source>
+        <translation>에지를 선택하세요. 그러면 클릭으로 케이지의 에지를 고를 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Double-click the edge in the ring: the whole loop around the head is picked.</source>
+        <translation>고리 안의 에지를 더블 클릭하세요. 머리를 도는 루프 전체가 선택됩니다.</translation>
+    </message>
+    <message>
+        <source>Choose Mesh &gt; Sharp: the surface folds along this loop and stays smooth elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose Mesh &gt; Softer by a half: a soft edge is a small rounding.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose Mesh &gt; Subdivision &gt; Smooth surface to see the result alone.</source>
+        <translation>메쉬 &gt; 서브디비전 &gt; 스무스 서피스를 선택해 결과만 보세요.</translation>
+    </message>
+    <message>
+        <source>The screw has a crisp rim. Change the sharpness of any edge in the panel Sharp edges, or drag with the tool Change sharpness.</source>
+        <translation>나사 머리에 선명한 에지가 생겼습니다. 날카로운 에지 패널에서 값을 바꾸거나, 날카로움 변경 도구로 드래그하세요.</translation>
+    </message>
+    <message>
+        <source>Fill the holes of a scan</source>
+        <translation>스캔의 구멍 메우기</translation>
+    </message>
+    <message>
+        <source>This scan has holes. Click the one in the ring: its border is picked, and a preview shows the patch.</source>
+        <translation>이 스캔에는 구멍이 있습니다. 고리 안의 구멍을 클릭하면 경계가 선택되고 패치를 미리 볼 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Press Fill in the panel Holes. The patch continues the surface around it.</source>
+        <translation>구멍 패널에서 메우기를 누르세요. 패치가 주변 서피스를 이어 갑니다.</translation>
+    </message>
+    <message>
+        <source>Press Fill all inner: all holes are closed but the open border below.</source>
+        <translation>내부 모두 메우기를 누르세요. 아래쪽의 열린 경계만 남고 모든 구멍이 닫힙니다.</translation>
+    </message>
+    <message>
+        <source>Choose View &gt; Patches by confidence: green is certain, red is a guess.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose View &gt; Zebra stripes: they run on across a good patch.</source>
+        <translation>뷰 &gt; 지브라 줄무늬를 선택하세요. 좋은 패치에서는 줄무늬가 끊기지 않고 이어집니다.</translation>
+    </message>
+    <message>
+        <source>The scan is closed, and what was scanned stays untouched. Choose another method or bulge in the panel Holes, then export the mesh.</source>
+        <translation>구멍이 메워졌고, 스캔된 부분은 그대로입니다. 구멍 패널에서 방법이나 볼록함을 바꾼 뒤 메쉬를 내보내세요.</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -4018,6 +4330,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Set thickness of %1</source>
         <translation>%1의 두께 설정</translation>
+    </message>
+    <message>
+        <source>Rename a part to %1</source>
+        <translation>부위 이름을 %1(으)로 변경</translation>
+    </message>
+    <message>
+        <source>Take the name off %1</source>
+        <translation>%1의 이름 지우기</translation>
     </message>
     <message>
         <source>contour</source>

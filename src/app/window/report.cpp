@@ -91,7 +91,10 @@ bool write_report(MainWindow& window, const QString& path, const ReportParts& pa
 QJsonObject report_of(MainWindow& window, const ReportParts& parts) {
   const QSettings settings;
   QJsonObject kept;
-  for (const QString& key : settings.allKeys()) kept[key] = QJsonValue::fromVariant(settings.value(key));
+  for (const QString& key : settings.allKeys()) {
+    const bool names_files = key == QLatin1String("recent");
+    if (!names_files) kept[key] = QJsonValue::fromVariant(settings.value(key));
+  }
   QJsonObject report{{"croquis", QCoreApplication::applicationVersion()},
                      {"qt", QStringLiteral("%1, %2").arg(qVersion(), QGuiApplication::platformName())},
                      {"system", QSysInfo::prettyProductName()},

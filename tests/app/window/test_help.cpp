@@ -132,6 +132,7 @@ TEST_CASE("a report has what helps, and names and shapes only where that is tick
   hand.draw(linked_rings_sketch());
   hand.settle();
   const ContentHash drawn = content_hash(hand.studio().session().document());
+  QSettings().setValue("recent", QStringList{"/home/somebody/secret.croq"});
   QDialog* dialog = report_dialog(hand);
   CHECK(!dialog->findChild<QCheckBox*>("report-document")->isChecked());
   dialog->findChild<QCheckBox*>("report-steps")->setChecked(false);
@@ -141,6 +142,8 @@ TEST_CASE("a report has what helps, and names and shapes only where that is tick
   CHECK(!small["graphics"].toString().isEmpty());
   CHECK(small["graphics"].toString() != "unknown");
   CHECK(small["objects"].toArray().size() == static_cast<qsizetype>(hand.studio().objects().size()));
+  CHECK(!QGuiApplication::clipboard()->text().contains("secret"));
+  QSettings().remove("recent");
   CHECK(!small.contains("steps"));
   CHECK(!small.contains("document"));
   if (qEnvironmentVariableIsSet("CROQUIS_PICTURES"))

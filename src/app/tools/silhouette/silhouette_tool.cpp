@@ -163,7 +163,7 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
     const QString word = kind == kinds.end() ? SilhouetteTool::tr("Line") : word_of(kind->second);
     rows.push_back({QObject::tr("%1 %2").arg(word).arg(++counts[word]),
                     {},
-                    QString::fromStdString(stroke.id),
+                    shown_name(stroke.id),
                     {stroke.id},
                     on_surface});
   }
