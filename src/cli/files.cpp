@@ -150,6 +150,13 @@ MeshFormat output_mesh_format(const std::string& path, const std::string& named)
   return mesh_format(path, named, "--output-format");
 }
 
+void require_png_output(const Invocation& invocation) {
+  const std::string& named = invocation.output_format;
+  if (named == "png" || (named.empty() && (invocation.output == "-" || invocation.output.ends_with(".png")))) return;
+  throw Error(make_error(Category::Usage, "E_FORMAT", "Pictures are written as PNG: give the output a name in .png.",
+                         {{SubjectKind::File, invocation.output, {}, {}, {}}}));
+}
+
 void stage_mesh(const std::string& path, const PolyMesh& mesh, const MeshWriteOptions& options, MeshFormat format,
                 CommandResult& result, Progress& progress) {
   MeshWriteOptions named = options;

@@ -47,6 +47,9 @@ AttributeNetwork read_input_network(const Invocation& invocation, CommandResult&
 /// @throws Error (E_FORMAT, Category::Usage)
 MeshFormat output_mesh_format(const std::string& path, const std::string& named);
 
+/// @throws Error (E_FORMAT, Category::Usage) where the output isn't a picture by its name or --output-format
+void require_png_output(const Invocation& invocation);
+
 /// Puts the mesh's bytes among the result's files, warnings of the format included.
 void stage_mesh(const std::string& path, const PolyMesh& mesh, const MeshWriteOptions& options, MeshFormat format,
                 CommandResult& result, Progress& progress);

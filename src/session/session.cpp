@@ -182,17 +182,28 @@ void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
   show(std::move(step));
   keep(std::move(now), to, now_);
   forget_beyond(byte_cap_, undo_, redo_);
-  report_change();
 }
 
 void Session::undo() {
-  end_drag();
-  travel(undo_, redo_);
+  if (end_drag(); can_undo()) go_to(undo_.size() - 1);
 }
 
-void Session::redo() {
+void Session::redo() { go_to(undo_.size() + 1); }
+
+void Session::go_to(std::size_t steps) {
   end_drag();
-  travel(redo_, undo_);
+  const std::uint64_t before = revision_;
+  while (undo_.size() > steps) travel(undo_, redo_);
+  while (undo_.size() < steps && can_redo()) travel(redo_, undo_);
+  if (revision_ != before) report_change();
+}
+
+std::vector<Session::State> Session::history() const {
+  std::vector<State> all;
+  for (const Step& step : undo_) all.push_back({step.state, step.document});
+  all.push_back({now_.state, now_.document});
+  for (auto step = redo_.rbegin(); step != redo_.rend(); ++step) all.push_back({step->state, step->document});
+  return all;
 }
 
 std::vector<std::string> Session::undo_labels() const { return labels(undo_); }
@@ -232,13 +243,22 @@ void Session::check_components() {
   report_change();
 }
 
-void Session::mark_saved() {
-  if (!modified()) return;
-  saved_state_ = now_.state;
+void Session::set_versions(std::vector<Version> versions, bool pictures_alone) {
+  versions_ = std::move(versions);
+  ++versions_state_;
+  if (pictures_alone && saved_versions_ + 1 == versions_state_) saved_versions_ = versions_state_;
+  ++revision_;
   report_change();
 }
 
-void Session::load(Document document, bool modified, std::vector<PastDocument> past) {
+void Session::mark_saved() {
+  if (!modified()) return;
+  saved_state_ = now_.state;
+  saved_versions_ = versions_state_;
+  report_change();
+}
+
+void Session::load(Document document, bool modified, std::vector<PastDocument> past, std::vector<Version> versions) {
   drag_.reset();
   undo_.clear();
   redo_.clear();
@@ -246,6 +266,8 @@ void Session::load(Document document, bool modified, std::vector<PastDocument> p
   now_.document = std::move(document);
   now_.state = ++last_state_;
   saved_state_ = modified ? ++last_state_ : now_.state;
+  versions_ = std::move(versions);
+  saved_versions_ = ++versions_state_;
   for (std::size_t i = 0; i < past.size(); ++i) {
     const Document& next = i + 1 < past.size() ? past[i + 1].document : now_.document;
     const std::size_t bytes = bytes_beside(past[i].document, next);

@@ -34,6 +34,14 @@ std::shared_ptr<const PolyMesh> final_mesh(const Workspace& workspace, const Doc
   return is_final ? mesh_of(*kept, *operation) : nullptr;
 }
 
+bool is_computed(const Workspace& workspace, const Document& document) {
+  const std::vector<WorkObject> objects = objects_of(document, workspace.registry());
+  return std::ranges::all_of(objects, [&](const WorkObject& object) {
+    const bool computes = object.visible && !object.mesh && !begins_empty(document, object);
+    return !computes || workspace.evaluator().find(document, object.node) != nullptr;
+  });
+}
+
 void compute(Workspace& workspace, const Document& document, NodeId id) {
   Progress progress;
   const auto evaluation = workspace.evaluator().evaluate(document, id, Quality::Final, progress);

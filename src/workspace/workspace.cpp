@@ -94,7 +94,7 @@ void Workspace::load(Document document, bool modified, KeptWork kept) {
   }
   objects_.clear();
   report(listener_.loaded);
-  session_.load(std::move(document), modified, std::move(kept.past));
+  session_.load(std::move(document), modified, std::move(kept.past), std::move(kept.versions));
   report(listener_.result_changed);
   report(listener_.busy_changed, busy());
 }

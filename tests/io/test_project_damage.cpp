@@ -200,11 +200,11 @@ TEST_CASE("missing and wrong parts are named one by one") {
 
 TEST_CASE("a newer schema is followed where it says so, with a word about what is left out") {
   const Document document = small_document();
-  CHECK(refusal(edited(document, "PRAGMA user_version=5")) == "E_PROJECT_VERSION");
-  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '5')")) ==
+  CHECK(refusal(edited(document, "PRAGMA user_version=6")) == "E_PROJECT_VERSION");
+  CHECK(refusal(edited(document, "PRAGMA user_version=9; INSERT INTO meta VALUES('readable_since', '6')")) ==
         "E_PROJECT_VERSION");
   const ProjectFile project = read(edited(document,
-                                          "PRAGMA user_version=5; INSERT INTO meta VALUES('readable_since', '1');"
+                                          "PRAGMA user_version=6; INSERT INTO meta VALUES('readable_since', '1');"
                                           "ALTER TABLE nodes ADD COLUMN colour TEXT; CREATE TABLE layers(name);"));
   CHECK(difference(document, project.document) == "");
   CHECK(has_warning(project, "W_PROJECT_NEWER", "newer"));

@@ -188,6 +188,55 @@ TEST_CASE("loading forgets history and selection") {
   CHECK_FALSE(session.modified());
 }
 
+TEST_CASE("going to a step is undo and redo as often as needed, and one change") {
+  Session session(two_nodes());
+  for (int step = 1; step <= 12; ++step) session.edit("Step", renamed(session.document(), 1, std::to_string(step)));
+  const auto history = session.history();
+  REQUIRE(history.size() == 13);
+  CHECK(history.back().state == session.state());
+  int changes = 0;
+  session.on_change([&] { ++changes; });
+  for (const std::size_t steps : {4U, 12U, 0U, 7U, 7U}) {
+    session.go_to(steps);
+    CHECK(session.undo_labels().size() == steps);
+    CHECK(session.redo_labels().size() == 12 - steps);
+    CHECK(session.state() == history[steps].state);
+    CHECK(same_nodes(session.document(), history[steps].document));
+    CHECK(session.history()[12].state == history[12].state);
+  }
+  CHECK(changes == 4);
+  session.go_to(1000);
+  CHECK(session.state() == history[12].state);
+}
+
+TEST_CASE("versions are no steps, are saved with the document and go when another one is loaded") {
+  Session session(two_nodes());
+  session.edit("A", renamed(session.document(), 1, "a"));
+  session.mark_saved();
+  const auto state = session.versions_state();
+  session.set_versions({{"first", session.document()}});
+  CHECK(session.modified());
+  CHECK(session.versions_state() > state);
+  session.undo();
+  REQUIRE(session.versions().size() == 1);
+  CHECK(session.redo_labels() == Labels{"A"});
+  session.redo();
+  session.mark_saved();
+  CHECK_FALSE(session.modified());
+  session.set_versions({{"first", session.document(), {1, 2}}}, true);
+  CHECK_FALSE(session.modified());
+  session.edit("first", two_nodes());
+  session.undo();
+  CHECK_FALSE(session.modified());
+  session.set_versions({});
+  CHECK(session.modified());
+  session.load(two_nodes(), false, {}, {{"other", two_nodes()}});
+  CHECK(session.versions().front().name == "other");
+  CHECK_FALSE(session.modified());
+  session.load(two_nodes());
+  CHECK(session.versions().empty());
+}
+
 TEST_CASE("recovered work comes with the documents that undo leads back to") {
   Session before(two_nodes());
   for (const char* name : {"a", "b", "c"}) before.edit(name, renamed(before.document(), 1, name));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,9 +28,17 @@ struct PastDocument {
   Document document;
 };
 
+/// A document that people keep under a name, to come back to it.
+struct Version {
+  std::string name;
+  Document document;
+  std::vector<std::uint8_t> picture_png = {};  ///< small; may be empty
+};
+
 struct KeptWork {
-  KeptResults results;
-  std::vector<PastDocument> past;  ///< the oldest first
+  KeptResults results = {};
+  std::vector<PastDocument> past = {};  ///< the oldest first
+  std::vector<Version> versions = {};   ///< in the order they were saved
 };
 
 }  // namespace croquis

@@ -51,6 +51,17 @@ class Session {
   void undo();  ///< also brings back what was selected then; nothing to undo is no error
   void redo();
 
+  /// Undoes or redoes until that many steps are done, or as near to that as there are; one change for listeners.
+  void go_to(std::size_t steps);
+
+  /// A document of the history.
+  struct State {
+    std::uint64_t state = 0;  ///< as state() gives it while this is the current one
+    Document document;
+  };
+  /// All of them, the oldest first: can be given to go_to by their places.
+  std::vector<State> history() const;
+
   std::vector<std::string> undo_labels() const;  ///< oldest first: the last one is undone next
   std::vector<std::string> redo_labels() const;  ///< the first one is redone next
 
@@ -66,14 +77,21 @@ class Session {
   /// Computed meshes are there now that may be others than before: what they don't have falls out.
   void check_components();
 
-  /// Whether the document isn't the one last saved or loaded; right across undo and redo.
-  bool modified() const { return now_.state != saved_state_; }
+  /// Documents that people keep under names; no part of the history.
+  const std::vector<Version>& versions() const { return versions_; }
+  /// @param pictures_alone only these differ from before: what was saved stays so
+  void set_versions(std::vector<Version> versions, bool pictures_alone = false);
+  std::uint64_t versions_state() const { return versions_state_; }  ///< grows with each change of them
+
+  /// Whether the document isn't the one last saved or loaded, right across undo and redo, or the versions aren't.
+  bool modified() const { return now_.state != saved_state_ || versions_state_ != saved_versions_; }
   void mark_saved();
 
   /// Another document, without selection.
   /// @param modified for recovered work, which no file holds yet
   /// @param past     that undo leads back to
-  void load(Document document, bool modified = false, std::vector<PastDocument> past = {});
+  void load(Document document, bool modified = false, std::vector<PastDocument> past = {},
+            std::vector<Version> versions = {});
 
   /// What undo leads back to in that many steps, at most; the oldest first.
   std::vector<PastDocument> past(std::size_t most) const;
@@ -109,6 +127,9 @@ class Session {
   std::uint64_t revision_ = 0;
   std::uint64_t saved_state_ = 0;
   std::uint64_t last_state_ = 0;
+  std::vector<Version> versions_;
+  std::uint64_t versions_state_ = 0;
+  std::uint64_t saved_versions_ = 0;
   std::vector<std::function<void()>> listeners_;
 };
 

@@ -21,6 +21,9 @@ std::shared_ptr<const PolyMesh> mesh_at(const Workspace& workspace, NodeId node)
 /// The mesh that a node of some document holds or gives, when it is computed to the end; never an older one. Or null.
 std::shared_ptr<const PolyMesh> final_mesh(const Workspace& workspace, const Document& document, NodeId node);
 
+/// Whether all that some document shows is known: it can be shown at once.
+bool is_computed(const Workspace& workspace, const Document& document);
+
 /// Computes a node of some document now: for a step that is about to be added after what is computed already, as one
 /// more edit, so that everybody finds its result.
 /// @throws Error what is wrong with the step

@@ -174,7 +174,7 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDraw
   const std::string file = local_name(path);
   if (is_project_name(file)) {
     ProjectFile project = load_project(file, progress);
-    return {path, std::move(project.document), std::move(project.warnings), std::move(project.kept.results)};
+    return {path, std::move(project.document), std::move(project.warnings), std::move(project.kept)};
   }
   std::string bytes = read_file(file);
   if (const auto format = mesh_format_of(file)) {

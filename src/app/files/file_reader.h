@@ -42,7 +42,7 @@ struct ReadFile {
                std::shared_ptr<const PictureFile>, CameraFile>
       content;
   Findings warnings;
-  KeptResults kept = {};   ///< of a project
+  KeptWork kept = {};      ///< of a project
   bool is_traced = false;  ///< a drawing of a picture's lines
 };
 

@@ -66,7 +66,7 @@ void remember(const QString& path) {
 void take_whole(Studio& studio, const ReadFile& file) {
   const std::string name = QFileInfo(file.path).completeBaseName().toStdString();
   if (const auto* document = std::get_if<Document>(&file.content)) {
-    studio.load(*document, false, {file.kept, {}});
+    studio.load(*document, false, {file.kept.results, {}, file.kept.versions});
   } else if (const auto* sheet = std::get_if<std::shared_ptr<const PerspectiveDrawing>>(&file.content)) {
     start_with(studio, **sheet, name);
   } else if (const auto* network = std::get_if<std::shared_ptr<const AttributeNetwork>>(&file.content)) {
@@ -192,7 +192,7 @@ QString ProjectFiles::save(const QString& path) {
   ProjectFile project;
   project.document = studio_.session().document();
   project.thumbnail_png = keeper_.thumbnail();
-  project.kept.results = kept_results(studio_);
+  project.kept = {kept_results(studio_), {}, studio_.session().versions()};
   QString aside;
   if (is_damaged(path) && QFileInfo::exists(path)) {
     aside = QString::fromStdString(put_damaged_project_aside(local(path)).string());

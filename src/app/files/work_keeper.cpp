@@ -36,7 +36,8 @@ WorkKeeper::~WorkKeeper() { disk_.waitForDone(); }
 void WorkKeeper::follow_session() {
   const Session& session = studio_.session();
   touched_ = touched_ || session.modified();
-  if (!touched_ || same_nodes(session.document(), saved_) || timer_.isActive()) return;
+  const bool same = same_nodes(session.document(), saved_) && saved_versions_ == session.versions_state();
+  if (!touched_ || same || timer_.isActive()) return;
   timer_.start(autosave_delay_ms);
 }
 
@@ -65,14 +66,17 @@ void WorkKeeper::save_now() {
 void WorkKeeper::save() {
   timer_.stop();
   if (!touched_) return;
-  const Document& document = studio_.session().document();
+  const Session& session = studio_.session();
+  const Document& document = session.document();
   const auto items = !studio_.busy() ? shown_items() : std::vector<render::Shown<render::MeshItem>>();
   const bool wants_picture = !items.empty() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
-  KeptWork kept{kept_results(studio_), studio_.session().past(most_kept_steps)};
-  const bool same = same_nodes(document, saved_) && kept.results == saved_results_;
+  KeptWork kept{kept_results(studio_), session.past(most_kept_steps), session.versions()};
+  const bool same = same_nodes(document, saved_) && kept.results == saved_results_ &&
+                    saved_versions_ == session.versions_state();
   if (same && !(wants_picture && !has_thumbnail_)) return;
   saved_ = document;
   saved_results_ = kept.results;
+  saved_versions_ = session.versions_state();
   if (wants_picture) {
     has_thumbnail_ = true;
     since_thumbnail_.start();

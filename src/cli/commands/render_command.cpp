@@ -59,15 +59,8 @@ render::ViewDirection with_z_up(render::ViewDirection view) {
   return view;
 }
 
-void check_picture_format(const Invocation& invocation) {
-  const std::string& named = invocation.output_format;
-  if (named == "png" || (named.empty() && (invocation.output == "-" || invocation.output.ends_with(".png")))) return;
-  throw Error(make_error(Category::Usage, "E_FORMAT", "Pictures are written as PNG: give the output a name in .png.",
-                         {{SubjectKind::File, invocation.output, {}, {}, {}}}));
-}
-
 void run_render(const Invocation& invocation, CommandResult& result, Progress& progress) {
-  check_picture_format(invocation);
+  require_png_output(invocation);
   const auto settings = settings_of(list_render_parameters, invocation.parameters);
   Progress reading = progress.step("read", 0.4);
   const PolyMesh mesh = read_input_mesh(invocation, false, result, reading);

@@ -237,7 +237,7 @@ void fill(const fs::path& file, const ProjectFile& project, Progress& progress) 
   ProjectWriter writer(database);
   writer.write_meta("application", "croquis " CROQUIS_VERSION);
   Progress writing = progress.step("save", 0.9);
-  writer.write(project.document, {project.kept.results, {}}, writing);
+  writer.write(project.document, {project.kept.results, {}, project.kept.versions}, writing);
   writer.write_thumbnail(project.thumbnail_png);
   database.execute("COMMIT");
 }

@@ -31,6 +31,14 @@ Number parse_or(const std::string& text, Number otherwise) {
   return parsed.ec == std::errc{} && parsed.ptr == end ? value : otherwise;
 }
 
+/// Empty where the column holds no picture.
+std::vector<std::uint8_t> png_of(const Statement& row, int column) {
+  if (!row.is_blob(column)) return {};
+  const std::string_view bytes = row.blob(column);
+  if (!bytes.starts_with(png_magic) || bytes.size() > max_thumbnail_bytes) return {};
+  return {bytes.begin(), bytes.end()};
+}
+
 class ProjectReader {
  public:
   ProjectReader(Database& database, const std::string& file_name, Progress& progress, std::span<const ValueType> types)
@@ -59,7 +67,8 @@ class ProjectReader {
     for (NodeRow& row : rows) nodes.push_back(std::make_shared<const Node>(std::move(row.node)));
     project.document = Document::of(std::move(nodes), next_id);
     if (tables.contains(TableGroup::Results)) read_results(project.kept.results);
-    if (tables.contains(TableGroup::Past)) read_past(project.kept.past);
+    const bool has_versions = tables.contains(TableGroup::Versions);
+    if (has_versions || tables.contains(TableGroup::Past)) read_past(project.kept, has_versions);
     try {
       project.thumbnail_png = read_thumbnail(database_);
     } catch (const DatabaseError&) {
@@ -190,28 +199,47 @@ class ProjectReader {
     });
   }
 
-  // All or nothing: undo can't leave out what is between two documents.
-  void read_past(std::vector<PastDocument>& past) {
+  // All or nothing: undo can't leave out what is between two documents. Each version stands for itself.
+  void read_past(KeptWork& kept, bool has_versions) {
     bool whole = true;
-    std::map<std::string, std::shared_ptr<const Node>> nodes;
+    KeptNodes nodes;
     each_row(database_, "SELECT hash, bytes FROM past_nodes", "past_nodes", damage_,
              [&](const Statement& row) { nodes[std::string(row.blob(0))] = past_node(row.blob(1)); });
     each_row(database_, "SELECT label, next_id, nodes FROM past ORDER BY number", "past", damage_,
              [&](const Statement& row) {
-               const std::string_view hashes = row.blob(2);
-               constexpr std::size_t size = 16;
-               std::vector<std::shared_ptr<const Node>> own;
-               std::set<NodeId> ids;
-               for (std::size_t at = 0; at + size <= hashes.size(); at += size) {
-                 own.push_back(nodes[std::string(hashes.substr(at, size))]);
-                 whole = whole && own.back() != nullptr && own.back()->id != 0 && ids.insert(own.back()->id).second;
-               }
-               if (whole)
-                 past.push_back({std::string(row.text(0)), Document::of(std::move(own), from_row_id(row.integer(1)))});
+               const auto document = document_of(row, nodes);
+               whole = whole && document;
+               if (whole) kept.past.push_back({std::string(row.text(0)), *document});
              });
-    if (whole) return;
-    past.clear();
-    damage_.lose("the steps that could be undone can't be read");
+    if (!whole) {
+      kept.past.clear();
+      damage_.lose("the steps that could be undone can't be read");
+    }
+    if (!has_versions) return;
+    const char* sql = "SELECT name, next_id, nodes, png FROM versions ORDER BY number";
+    each_row(database_, sql, "versions", damage_, [&](const Statement& row) {
+      const std::string name(row.text(0));
+      const auto document = document_of(row, nodes);
+      if (!document) return damage_.lose("its version '" + printable(name) + "' can't be read");
+      kept.versions.push_back({name, *document, png_of(row, 3)});
+    });
+  }
+
+  using KeptNodes = std::map<std::string, std::shared_ptr<const Node>>;
+
+  /// Of a row whose columns 1 and 2 are next_id and nodes; nothing where some node isn't there.
+  static std::optional<Document> document_of(const Statement& row, const KeptNodes& nodes) {
+    const std::string_view hashes = row.blob(2);
+    constexpr std::size_t size = 16;
+    std::vector<std::shared_ptr<const Node>> own;
+    std::set<NodeId> ids;
+    for (std::size_t at = 0; at + size <= hashes.size(); at += size) {
+      const auto node = nodes.find(std::string(hashes.substr(at, size)));
+      if (node == nodes.end() || !node->second || node->second->id == 0) return std::nullopt;
+      if (!ids.insert(node->second->id).second) return std::nullopt;
+      own.push_back(node->second);
+    }
+    return Document::of(std::move(own), from_row_id(row.integer(1)));
   }
 
   /// Null where it can't be read.
@@ -281,10 +309,7 @@ ProjectFile read_project_database(Database& database, const std::string& file_na
 
 std::vector<std::uint8_t> read_thumbnail(const Database& database) {
   Statement statement(database, "SELECT png FROM thumbnail LIMIT 1");
-  if (!statement.step() || !statement.is_blob(0)) return {};
-  const std::string_view bytes = statement.blob(0);
-  if (!bytes.starts_with(png_magic) || bytes.size() > max_thumbnail_bytes) return {};
-  return {bytes.begin(), bytes.end()};
+  return statement.step() ? png_of(statement, 0) : std::vector<std::uint8_t>();
 }
 
 std::string read_meta(const Database& database, const std::string& key) {

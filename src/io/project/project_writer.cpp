@@ -176,37 +176,50 @@ void ProjectWriter::write_results(State& next, const Progress& progress) {
   }
 }
 
-/// Each state of a node is stored once, however many past documents have it.
 void ProjectWriter::write_past(State& next, const Progress& progress) {
-  if (next.kept.past.empty() && !has_tables(database_, TableGroup::Past)) return;
+  const KeptWork& kept = next.kept;
+  if (kept.past.empty() && kept.versions.empty() && !has_tables(database_, TableGroup::Past)) return;
   require_tables(database_, TableGroup::Past);
   database_.execute("DELETE FROM past");
-  std::set<std::string> used;
-  for (std::size_t step = 0; step < next.kept.past.size(); ++step) {
-    const PastDocument& past = next.kept.past[step];
-    std::string hashes;
-    for (const auto& node : past.document.nodes()) {
-      const NodeRow row = unplaced_row(*node, next, progress);
-      std::string& hash = next.past[node.get()];
-      const auto known = confirmed_.past.find(node.get());
-      if (known != confirmed_.past.end()) {
-        hash = known->second;
-      } else if (hash.empty()) {
-        const std::string bytes = past_row_bytes(row);
-        hash = blob_hash(bytes);
-        run_statement(database_, "INSERT OR IGNORE INTO past_nodes(hash, bytes, source, picture) VALUES(?, ?, ?, ?)",
-                      Bytes{hash}, Bytes{bytes}, Bytes{row.hash}, Bytes{row.picture_hash});
-      }
-      used.insert(hash);
-      hashes += hash;
-    }
-    run_statement(database_, "INSERT INTO past(number, label, next_id, nodes) VALUES(?, ?, ?, ?)",
-                  static_cast<std::int64_t>(step), past.label, to_row_id(past.document.next_id()), Bytes{hashes});
+  if (has_tables(database_, TableGroup::Versions)) database_.execute("DELETE FROM versions");
+  std::int64_t number = 0;
+  for (const PastDocument& past : kept.past) {
+    run_statement(database_, "INSERT INTO past(number, label, next_id, nodes) VALUES(?, ?, ?, ?)", number++, past.label,
+                  to_row_id(past.document.next_id()), Bytes{stored_nodes(past.document, next, progress)});
   }
+  for (const Version& version : kept.versions) {
+    require_tables(database_, TableGroup::Versions);
+    const auto& png = version.picture_png;
+    run_statement(database_, "INSERT INTO versions(number, name, next_id, nodes, png) VALUES(?, ?, ?, ?, ?)", number++,
+                  version.name, to_row_id(version.document.next_id()),
+                  Bytes{stored_nodes(version.document, next, progress)}, Bytes{std::string(png.begin(), png.end())});
+  }
+  std::set<std::string> used;
+  for (const auto& [node, hash] : next.past) used.insert(hash);
   for (const auto& [node, hash] : confirmed_.past) {
     if (used.contains(hash)) continue;
     run_statement(database_, "DELETE FROM past_nodes WHERE hash=?", Bytes{hash});
   }
+}
+
+/// Each state of a node is stored once, however many documents have it. @return the hashes of all nodes in their order
+std::string ProjectWriter::stored_nodes(const Document& document, State& next, const Progress& progress) {
+  std::string hashes;
+  for (const auto& node : document.nodes()) {
+    const NodeRow row = unplaced_row(*node, next, progress);
+    std::string& hash = next.past[node.get()];
+    const auto known = confirmed_.past.find(node.get());
+    if (known != confirmed_.past.end()) {
+      hash = known->second;
+    } else if (hash.empty()) {
+      const std::string bytes = past_row_bytes(row);
+      hash = blob_hash(bytes);
+      run_statement(database_, "INSERT OR IGNORE INTO past_nodes(hash, bytes, source, picture) VALUES(?, ?, ?, ?)",
+                    Bytes{hash}, Bytes{bytes}, Bytes{row.hash}, Bytes{row.picture_hash});
+    }
+    hashes += hash;
+  }
+  return hashes;
 }
 
 void ProjectWriter::write_meta(const std::string& key, const std::string& value) {

@@ -41,7 +41,7 @@ class ProjectWriter {
     KeptWork kept;
     std::map<NodeId, Entry> entries;
     std::map<const void*, std::string> hashes;  ///< of the sources' bytes, by the address of the value
-    std::map<const Node*, std::string> past;    ///< of the rows of nodes of past documents
+    std::map<const Node*, std::string> past;    ///< of the rows of nodes of past documents and versions
   };
 
   NodeRow row_of(const Node& node, std::size_t position, State& next, const Progress& progress);
@@ -51,6 +51,7 @@ class ProjectWriter {
   NodeRow unplaced_row(const Node& node, State& next, const Progress& progress);
   void write_results(State& next, const Progress& progress);
   void write_past(State& next, const Progress& progress);
+  std::string stored_nodes(const Document& document, State& next, const Progress& progress);
   void write_checksum(const State& state);
 
   Database& database_;

@@ -15,7 +15,7 @@ struct LaterTables {
 };
 
 /// By TableGroup.
-constexpr std::array<LaterTables, 5> later_tables = {
+constexpr std::array<LaterTables, 6> later_tables = {
     {{"CREATE TABLE transforms(node INTEGER PRIMARY KEY, numbers BLOB NOT NULL);"
       "CREATE TABLE nodes_off(node INTEGER PRIMARY KEY)",
       "'transforms', 'nodes_off'", 2, 2},
@@ -31,7 +31,10 @@ constexpr std::array<LaterTables, 5> later_tables = {
       " nodes BLOB NOT NULL);"
       "CREATE TABLE past_nodes(hash BLOB PRIMARY KEY, bytes BLOB NOT NULL, source BLOB NOT NULL,"
       " picture BLOB NOT NULL) WITHOUT ROWID",
-      "'past', 'past_nodes'", 2, 0}}};
+      "'past', 'past_nodes'", 2, 0},
+     {"CREATE TABLE versions(number INTEGER PRIMARY KEY, name TEXT NOT NULL, next_id INTEGER NOT NULL,"
+      " nodes BLOB NOT NULL, png BLOB NOT NULL)",
+      "'versions'", 1, 5}}};
 
 constexpr std::int64_t first_version = 1;
 

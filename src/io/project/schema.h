@@ -15,15 +15,15 @@ namespace croquis {
 inline constexpr std::uint32_t project_application_id = 0x43524f51;
 
 /// Raised with every change of the tables: the newest one that this version knows.
-inline constexpr std::int64_t project_schema_version = 4;
+inline constexpr std::int64_t project_schema_version = 5;
 
 /// SQLite itself ends at 2 GiB; parts of this size can also be read one at a time.
 inline constexpr int max_chunk_bytes = 64 * 1024 * 1024;
 
 /// The tables that this version knows.
-inline constexpr std::array<std::string_view, 15> project_tables = {
+inline constexpr std::array<std::string_view, 16> project_tables = {
     "meta",      "nodes",      "parameters", "links",     "sources",      "blobs", "chunks",    "objects",
-    "thumbnail", "transforms", "nodes_off",  "backdrops", "kept_results", "past",  "past_nodes"};
+    "thumbnail", "transforms", "nodes_off",  "backdrops", "kept_results", "past",  "past_nodes", "versions"};
 
 /// Makes the tables of a new database: those of the first schema.
 void create_schema(Database& database);
@@ -35,7 +35,8 @@ enum class TableGroup {
   Backdrops,   ///< of pictures behind drawings; since schema 3
   Objects,     ///< of objects that were moved or belong to a group; since schema 4
   Results,     ///< of steps that don't fit what they are given; since schema 4
-  Past         ///< of what undo leads back to: in working databases only
+  Past,        ///< of what undo leads back to, in working databases only, and of the nodes of versions
+  Versions     ///< of documents that people keep under names; since schema 5
 };
 
 bool has_tables(const Database& database, TableGroup group);
