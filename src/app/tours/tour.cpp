@@ -23,7 +23,8 @@ const QString tours_folder = QStringLiteral(":/tours/");
 /// Objects of a list, read as the lines of a recording.
 std::vector<recorded::Step> recorded_steps(const QJsonValue& list, const QString& file) {
   QByteArray lines;
-  for (const QJsonValue each : list.toArray()) lines += QJsonDocument(each.toObject()).toJson(QJsonDocument::Compact) + '\n';
+  for (const QJsonValue each : list.toArray())
+    lines += QJsonDocument(each.toObject()).toJson(QJsonDocument::Compact) + '\n';
   std::vector<recorded::Step> steps;
   for (const recorded::Line& line : recorded::parse(lines.toStdString(), file.toStdString(), recorded::all_steps()))
     steps.push_back(line.step);
@@ -31,13 +32,16 @@ std::vector<recorded::Step> recorded_steps(const QJsonValue& list, const QString
 }
 
 TourStep tour_step(const QJsonObject& object, const QString& file) {
-  TourStep step{object["caption"].toString(), recorded_steps(object["asked"], file), {}};
-  if (step.caption.isEmpty() || step.asked.empty()) refuse_tour(file, "every step has a caption and asks for something");
+  TourStep step{object["caption"].toString(), recorded_steps(object["asked"], file), {}, {}};
+  if (step.caption.isEmpty() || step.asked.empty())
+    refuse_tour(file, "every step has a caption and asks for something");
   for (const recorded::Step& each : recorded_steps(object["until"], file)) {
     const auto* expected = each.as<recorded::Expect>();
     if (expected == nullptr || expected->value) refuse_tour(file, "\"until\" takes lines of \"expect\" with counts");
     step.until.push_back(*expected);
   }
+  const QJsonArray at = object["at"].toArray();
+  if (at.size() == 3) step.at = Vec3(at[0].toDouble(), at[1].toDouble(), at[2].toDouble());
   return step;
 }
 
@@ -58,7 +62,8 @@ Tour load_tour(const QString& name) {
   Tour tour{json["title"].toString(), json["action"].toString(), json["sample"].toString(), {}, json["end"].toString()};
   if (tour.title.isEmpty() || tour.end.isEmpty() || tour.action.isEmpty() == tour.sample.isEmpty())
     refuse_tour(file.fileName(), "a tour has a title, an end, and an action or a sample that it begins with");
-  for (const QJsonValue each : json["steps"].toArray()) tour.steps.push_back(tour_step(each.toObject(), file.fileName()));
+  for (const QJsonValue each : json["steps"].toArray())
+    tour.steps.push_back(tour_step(each.toObject(), file.fileName()));
   if (tour.steps.empty()) refuse_tour(file.fileName(), "a tour has steps");
   return tour;
 }

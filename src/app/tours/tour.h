@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <vector>
 
 #include "croquis/tools/recording/general_steps.h"
@@ -15,6 +16,7 @@ struct TourStep {
   QString caption;                      ///< English
   std::vector<recorded::Step> asked;    ///< strokes, actions …, as recordings have them (docs/replays.md)
   std::vector<recorded::Expect> until;  ///< it is done, too, as soon as there are so many, or more, of each
+  std::optional<Vec3> at;               ///< a place of the model that gets a ring in the perspective view
 };
 
 /// A guided tour: src/app/tours/*.json, docs/adding-a-tour.md.

@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
-#include <QToolBar>
+#include <QToolButton>
 #include <algorithm>
 #include <utility>
 
@@ -37,7 +37,9 @@ QRect place_of_action(MainWindow& window, const QString& name) {
   QAction* action = window.action(name);
   if (action == nullptr) return {};
   std::vector<QWidget*> buttons{window.findChild<QPushButton*>(name + "-button")};
-  for (const QToolBar* bar : window.findChildren<QToolBar*>()) buttons.push_back(bar->widgetForAction(action));
+  for (QToolButton* button : window.findChildren<QToolButton*>()) {
+    if (button->defaultAction() == action) buttons.push_back(button);
+  }
   for (QWidget* button : buttons) {
     if (button != nullptr && button->isVisible() && !button->visibleRegion().isEmpty())
       return in_window(button, button->rect());
@@ -67,9 +69,8 @@ TourBar::TourBar(MainWindow& window, Tour tour)
     if (step.as<recorded::Action>() == nullptr) note(step);  // not every action is recorded
   });
   for (const QAction* action : window.actions()) {
-    connect(action, &QAction::triggered, this, [this, name = action->objectName()] {
-      note(recorded::Action{name.toStdString()});
-    });
+    connect(action, &QAction::triggered, this,
+            [this, name = action->objectName()] { note(recorded::Action{name.toStdString()}); });
   }
   for (const auto signal : {&Studio::changed, &Studio::result_changed})
     connect(&window.studio(), signal, this, &TourBar::look, Qt::QueuedConnection);
@@ -87,6 +88,7 @@ void TourBar::make_widgets() {
   setStyleSheet(bar_style);
   setAccessibleName(shown_text(tour_.title.toStdString()));
   auto* row = new QHBoxLayout(this);
+  row->setSpacing(12);
   count_ = new QLabel(this);
   caption_ = new QLabel(this);
   caption_->setObjectName("tour-caption");
@@ -194,6 +196,7 @@ void TourBar::place_marks() {
     const auto* action = step.as<recorded::Action>();
     if (action != nullptr && place.isEmpty()) place = place_of_action(window_, QString::fromStdString(action->name));
   }
+  if (at_ < tour_.steps.size() && tour_.steps[at_].at) paths.push_back({PerspectiveView, {*tour_.steps[at_].at}});
   guide_->show_paths(std::move(paths));
   guide_->raise();
   frame_->setGeometry(place.adjusted(-frame_room, -frame_room, frame_room, frame_room));

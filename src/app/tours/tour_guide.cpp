@@ -50,7 +50,9 @@ double mean_distance(const std::vector<Vec3>& from, const std::vector<Vec3>& to)
   return sum / static_cast<double>(from.size());
 }
 
-bool closes(const std::vector<Vec3>& path, double size) { return (path.front() - path.back()).norm() < near_share * size; }
+bool closes(const std::vector<Vec3>& path, double size) {
+  return (path.front() - path.back()).norm() < near_share * size;
+}
 
 double stroke_misfit(const std::vector<Vec3>& done, const std::vector<Vec3>& asked) {
   Vec3 middle;
@@ -59,8 +61,8 @@ double stroke_misfit(const std::vector<Vec3>& done, const std::vector<Vec3>& ask
   const double asked_size = path_size(asked, asked_middle);
   const double way = std::max(mean_distance(done, asked), mean_distance(asked, done));
   const bool loops = closes(done, size) && closes(asked, asked_size);
-  const bool is_alike = loops && size > asked_size / 2 && size < 2 * asked_size &&
-                        (middle - asked_middle).norm() < asked_size / 4;
+  const bool is_alike =
+      loops && size > asked_size / 2 && size < 2 * asked_size && (middle - asked_middle).norm() < asked_size / 4;
   const double share = way / (near_share * asked_size);
   return is_alike ? std::min(share, 0.99) : share;
 }
@@ -114,7 +116,8 @@ void TourGuide::follow() { setGeometry(views_.widget.rect()); }
 void TourGuide::show_paths(std::vector<StepPath> paths) {
   paths_ = std::move(paths);
   for (const StepPath& path : paths_) {
-    const QRectF seen = views_.layout.pane(path.view).rect.adjusted(frame_margin, frame_margin, -frame_margin, -frame_margin);
+    const QRectF seen =
+        views_.layout.pane(path.view).rect.adjusted(frame_margin, frame_margin, -frame_margin, -frame_margin);
     const auto is_seen = [&](const Vec3& place) { return seen.contains(model_to_widget(views_, place, path.view)); };
     if (seen.isEmpty() || std::ranges::all_of(path.places, is_seen)) continue;
     render::Bounds bounds;
