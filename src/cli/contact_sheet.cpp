@@ -9,9 +9,9 @@ namespace croquis::cli {
 namespace {
 
 constexpr int glyph_width = 5, glyph_height = 7;
-constexpr int dot_size = 2;           // pixels a dot of a letter is wide
+constexpr int dot_size = 2;      // pixels a dot of a letter is wide
 constexpr int text_height = 28;  // of the text below a picture
-constexpr int tile_gap = 4;           // round each picture
+constexpr int tile_gap = 4;      // round each picture
 
 using Color = std::array<std::uint8_t, 4>;
 constexpr Color paper_color = {250, 250, 250, 255}, ink_color = {30, 34, 40, 255}, failure_color = {244, 222, 220, 255};
@@ -22,15 +22,24 @@ struct Glyph {
   std::array<std::uint8_t, glyph_height> rows;
 };
 
-constexpr std::array<Glyph, 19> glyphs = {{{'0', {14, 17, 19, 21, 25, 17, 14}}, {'1', {4, 12, 4, 4, 4, 4, 14}},
-                                           {'2', {14, 17, 1, 2, 4, 8, 31}},     {'3', {31, 2, 4, 2, 1, 17, 14}},
-                                           {'4', {2, 6, 10, 18, 31, 2, 2}},     {'5', {31, 16, 30, 1, 1, 17, 14}},
-                                           {'6', {6, 8, 16, 30, 17, 17, 14}},   {'7', {31, 1, 2, 4, 8, 8, 8}},
-                                           {'8', {14, 17, 17, 14, 17, 17, 14}}, {'9', {14, 17, 17, 15, 1, 2, 12}},
-                                           {'.', {0, 0, 0, 0, 0, 12, 12}},      {'-', {0, 0, 0, 31, 0, 0, 0}},
-                                           {'+', {0, 4, 4, 31, 4, 4, 0}},       {'e', {0, 0, 14, 17, 31, 16, 14}},
-                                           {'f', {6, 9, 8, 28, 8, 8, 8}},       {'a', {0, 0, 14, 1, 15, 17, 15}},
-                                           {'i', {4, 0, 12, 4, 4, 4, 14}},      {'l', {12, 4, 4, 4, 4, 4, 14}},
+constexpr std::array<Glyph, 19> glyphs = {{{'0', {14, 17, 19, 21, 25, 17, 14}},
+                                           {'1', {4, 12, 4, 4, 4, 4, 14}},
+                                           {'2', {14, 17, 1, 2, 4, 8, 31}},
+                                           {'3', {31, 2, 4, 2, 1, 17, 14}},
+                                           {'4', {2, 6, 10, 18, 31, 2, 2}},
+                                           {'5', {31, 16, 30, 1, 1, 17, 14}},
+                                           {'6', {6, 8, 16, 30, 17, 17, 14}},
+                                           {'7', {31, 1, 2, 4, 8, 8, 8}},
+                                           {'8', {14, 17, 17, 14, 17, 17, 14}},
+                                           {'9', {14, 17, 17, 15, 1, 2, 12}},
+                                           {'.', {0, 0, 0, 0, 0, 12, 12}},
+                                           {'-', {0, 0, 0, 31, 0, 0, 0}},
+                                           {'+', {0, 4, 4, 31, 4, 4, 0}},
+                                           {'e', {0, 0, 14, 17, 31, 16, 14}},
+                                           {'f', {6, 9, 8, 28, 8, 8, 8}},
+                                           {'a', {0, 0, 14, 1, 15, 17, 15}},
+                                           {'i', {4, 0, 12, 4, 4, 4, 14}},
+                                           {'l', {12, 4, 4, 4, 4, 4, 14}},
                                            {'d', {1, 1, 13, 19, 17, 17, 15}}}};
 
 void fill_box(Picture& picture, int left, int top, int width, int height, const Color& color) {

@@ -11,7 +11,7 @@ namespace croquis::cli {
 
 /// One picture of a contact sheet.
 struct SheetTile {
-  std::string text;                ///< below it: digits, '.', '-', '+', 'e' and the letters of "failed"; others are gaps
+  std::string text;  ///< below it: digits, '.', '-', '+', 'e' and the letters of "failed"; others are gaps
   std::vector<std::uint8_t> rgba;  ///< as Picture has it; empty where there is nothing to show: the tile says "failed"
 };
 

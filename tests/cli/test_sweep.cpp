@@ -43,7 +43,8 @@ std::size_t ink_in(const Picture& picture, int left, int top, int width, int hei
   std::size_t dark = 0;
   for (int y = top; y < top + height; ++y) {
     for (int x = left; x < left + width; ++x) {
-      const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+      const auto at =
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
       if (picture.rgba[at] < 60 && picture.rgba[at + 1] < 60) ++dark;
     }
   }

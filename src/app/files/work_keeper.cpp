@@ -71,8 +71,8 @@ void WorkKeeper::save() {
   const auto items = !studio_.busy() ? shown_items() : std::vector<render::Shown<render::MeshItem>>();
   const bool wants_picture = !items.empty() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
   KeptWork kept{kept_results(studio_), session.past(most_kept_steps), session.versions()};
-  const bool same = same_nodes(document, saved_) && kept.results == saved_results_ &&
-                    saved_versions_ == session.versions_state();
+  const bool same =
+      same_nodes(document, saved_) && kept.results == saved_results_ && saved_versions_ == session.versions_state();
   if (same && !(wants_picture && !has_thumbnail_)) return;
   saved_ = document;
   saved_results_ = kept.results;

@@ -148,7 +148,7 @@ void make_text(ParameterField& field, const ParameterDescription& description) {
 }
 
 constexpr std::size_t longest_unit = 8;  ///< "degrees"; longer ones are in the help, so that titles stay short
-constexpr int least_width = 52;  // three of them beside their title
+constexpr int least_width = 52;          // three of them beside their title
 constexpr double farthest = 1e12;
 
 bool lists_edits(const OperationDescription& operation, const ParameterDescription& parameter) {

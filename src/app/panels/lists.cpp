@@ -3,8 +3,8 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
-#include <QPainter>
 #include <QLocale>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <algorithm>
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/preferences.h"
-
 #include <QAbstractButton>
 #include <QButtonGroup>
 #include <QComboBox>
@@ -20,6 +18,7 @@
 
 #include "app/window/hotkeys.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {

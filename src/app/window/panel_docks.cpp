@@ -62,11 +62,15 @@ QDockWidget* PanelDocks::find(const QString& name) const {
   return found == panels_.end() ? nullptr : found->dock;
 }
 
+void PanelDocks::keep_in_front(QDockWidget* dock) {
+  if (Panel* panel = panel_of(dock)) panel->in_front = true;
+}
+
 void PanelDocks::show_tool_panel(QDockWidget* dock, bool useful, int width) {
   Panel* panel = panel_of(dock);
   if (panel == nullptr) return;
   const bool was_shown = !dock->isHidden();
-  panel->of_tool = true;
+  panel->in_front = true;
   set_useful(dock, useful);
   if (was_shown || dock->isHidden()) return;
   dock->raise();
@@ -136,7 +140,7 @@ void PanelDocks::show_all(bool shown) {
   shown_ = shown;
   for (const Panel& panel : panels_) apply(panel);
   for (const Panel& panel : panels_) {
-    if (panel.of_tool && !panel.dock->isHidden()) panel.dock->raise();
+    if (panel.in_front && !panel.dock->isHidden()) panel.dock->raise();
   }
 }
 

@@ -39,6 +39,9 @@ class PanelDocks : public QObject {
   /// The panel of that name, or null.
   QDockWidget* find(const QString& name) const;
 
+  /// Of the panels that share its place, it is the one in front whenever the views appear.
+  void keep_in_front(QDockWidget* dock);
+
   /// The panel of a tool, which shares a place with others: it comes to the front when there begins to be something to
   /// show in it. The first time it gets that much width and most of the height; people's own sizes are kept.
   void show_tool_panel(QDockWidget* dock, bool useful, int width);
@@ -73,7 +76,7 @@ class PanelDocks : public QObject {
     QDockWidget* dock = nullptr;
     bool useful = true;
     bool wanted = true;
-    bool of_tool = false;
+    bool in_front = false;
   };
 
   Panel* panel_of(const QDockWidget* dock);

@@ -81,8 +81,7 @@ const Node& find_node(const Document& document, const std::string& wanted) {
                 wanted, SubjectKind::Node);
 }
 
-const ParameterDescription& find_described(const Document& document, const Setting& setting,
-                                           const Registry& registry) {
+const ParameterDescription& find_described(const Document& document, const Setting& setting, const Registry& registry) {
   const OperationDescription* operation = registry.description(find_node(document, setting.node).operation);
   const ParameterDescription* found =
       operation == nullptr ? nullptr : find_parameter(operation->parameters, setting.parameter);
@@ -128,9 +127,7 @@ ProjectFile read_input_project(const Invocation& invocation, Progress& progress)
 constexpr int most_values = 100;
 constexpr render::PictureSize tile_size = {240, 180};
 
-Error no_sweep(const std::string& message) {
-  return refused("E_USAGE", message, "sweep", SubjectKind::Parameter);
-}
+Error no_sweep(const std::string& message) { return refused("E_USAGE", message, "sweep", SubjectKind::Parameter); }
 
 /// The settings of NODE.PARAMETER=FROM:TO:COUNT, one for each value.
 /// @throws Error (E_USAGE, E_PARAMETER; Category::Usage)
@@ -145,7 +142,8 @@ std::vector<Setting> swept(const std::string& text, const Document& document, co
   const ParameterDescription& described = find_described(document, setting, registry);
   const bool whole = described.type == ParameterType::Integer;
   if (!whole && described.type != ParameterType::Number)
-    throw no_sweep("'" + setting.parameter + "' isn't a number, so it has no values between two others; set it with --set.");
+    throw no_sweep("'" + setting.parameter +
+                   "' isn't a number, so it has no values between two others; set it with --set.");
   const auto number = [&](const std::string& part) {
     const ParameterValue value = parse_parameter(described, part);
     return whole ? static_cast<double>(std::get<std::int64_t>(value)) : std::get<double>(value);
@@ -199,9 +197,9 @@ SweptValue evaluate_with(const Setting& setting, const Document& plain, const Re
       finding.message = "With " + setting.parameter + " = " + setting.value + ": " + finding.message;
     }
   }
-  swept.report = to_report(fields(named("value", std::strtod(setting.value.c_str(), nullptr)),
-                                  named("failed", swept.item == nullptr), named("faces", faces),
-                                  named("errors", errors)));
+  swept.report =
+      to_report(fields(named("value", std::strtod(setting.value.c_str(), nullptr)),
+                       named("failed", swept.item == nullptr), named("faces", faces), named("errors", errors)));
   return swept;
 }
 
@@ -248,9 +246,9 @@ void run_sweep(const Document& document, const Registry& registry, const Invocat
   Progress drawing = progress.step("draw", 0.1);
   const std::vector<SheetTile> tiles = tiles_of(values, items, renderer, drawing);
   stage_file(invocation.output, encode_png(contact_sheet(tiles, tile_size.width, tile_size.height)), result);
-  result.details = to_report(fields(named("parameter", settings.front().node + "." + settings.front().parameter),
-                                    named("columns", sheet_columns(static_cast<int>(tiles.size()))),
-                                    named("values", reports)));
+  result.details =
+      to_report(fields(named("parameter", settings.front().node + "." + settings.front().parameter),
+                       named("columns", sheet_columns(static_cast<int>(tiles.size()))), named("values", reports)));
   result.text = std::to_string(items.size()) + " of " + std::to_string(values.size()) + " values gave a mesh.";
   progress.report(1);
 }
@@ -298,8 +296,8 @@ Command run_command(const Registry& registry) {
            .sentence = "Evaluates a project and writes its visible meshes that no other visible mesh is made of.",
            .input_word = "FILE.croq",
            .output = OutputNeed::Required,
-           .parameters = {list_parameter(
-                              "set", "NODE.PARAMETER=VALUE: another value, for this run; NODE is a name or an id."),
+           .parameters = {list_parameter("set",
+                                         "NODE.PARAMETER=VALUE: another value, for this run; NODE is a name or an id."),
                           text_parameter("sweep", "",
                                          "NODE.PARAMETER=FROM:TO:COUNT: a picture (PNG) of the results with so many "
                                          "values of a number, evenly spaced.")},

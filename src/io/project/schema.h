@@ -22,7 +22,7 @@ inline constexpr int max_chunk_bytes = 64 * 1024 * 1024;
 
 /// The tables that this version knows.
 inline constexpr std::array<std::string_view, 16> project_tables = {
-    "meta",      "nodes",      "parameters", "links",     "sources",      "blobs", "chunks",    "objects",
+    "meta",      "nodes",      "parameters", "links",     "sources",      "blobs", "chunks",     "objects",
     "thumbnail", "transforms", "nodes_off",  "backdrops", "kept_results", "past",  "past_nodes", "versions"};
 
 /// Makes the tables of a new database: those of the first schema.

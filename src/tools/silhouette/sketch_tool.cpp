@@ -55,7 +55,8 @@ std::string setting_label(const recorded::StrokeReading& setting) {
   const std::string stroke = named(setting.stroke);
   if (setting.in_front_of) return "Bring " + stroke + " in front of " + named(*setting.in_front_of);
   if (setting.kind == silhouette::StrokeKind::Visible) return "Find what " + stroke + " is";
-  if (setting.title) return setting.title->empty() ? "Take the name off " + stroke : "Rename a part to " + *setting.title;
+  if (setting.title)
+    return setting.title->empty() ? "Take the name off " + stroke : "Rename a part to " + *setting.title;
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }

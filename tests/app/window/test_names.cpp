@@ -6,7 +6,6 @@
 #include <set>
 
 #include <Eigen/Geometry>
-
 #include <catch2/catch.hpp>
 
 #include "app/dialogs.h"

@@ -129,8 +129,8 @@ void check_keyboard(QWidget& window, const char* state) {
     QString name = QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name);
     for (QWidget* above = widget->parentWidget(); name.isEmpty() && above != nullptr; above = above->parentWidget())
       if (above->focusProxy() == widget) name = QAccessible::queryAccessibleInterface(above)->text(QAccessible::Name);
-    INFO(widget->metaObject()->className() << " " << widget->objectName().toStdString() << " in "
-                                           << widget->parentWidget()->objectName().toStdString());
+    INFO(widget->metaObject()->className()
+         << " " << widget->objectName().toStdString() << " in " << widget->parentWidget()->objectName().toStdString());
     CHECK(!name.isEmpty());
     CHECK(reached.contains(widget));
   }

@@ -113,9 +113,7 @@ QList<QAction*> add(Making& making, QMenu* menu, const std::vector<ActionRow>& r
   return added;
 }
 
-void add_tip(QAction* action) {
-  action->setToolTip(action->text() + " (" + action->shortcut().toString() + ")");
-}
+void add_tip(QAction* action) { action->setToolTip(action->text() + " (" + action->shortcut().toString() + ")"); }
 
 void add_handles(Making& making) {
   const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {

@@ -27,10 +27,10 @@ struct SheetShape {
 };
 
 constexpr std::array<SheetShape, 5> sheet_shapes{{{"4:3", 4.0 / 3},
-                                            {"3:2", 3.0 / 2},
-                                            {"16:9", 16.0 / 9},
-                                            {QT_TR_NOOP("A4 landscape"), std::numbers::sqrt2},
-                                            {QT_TR_NOOP("A4 portrait"), 1 / std::numbers::sqrt2}}};
+                                                  {"3:2", 3.0 / 2},
+                                                  {"16:9", 16.0 / 9},
+                                                  {QT_TR_NOOP("A4 landscape"), std::numbers::sqrt2},
+                                                  {QT_TR_NOOP("A4 portrait"), 1 / std::numbers::sqrt2}}};
 constexpr double longest_sheet = 100'000;  // px
 
 constexpr double degree = std::numbers::pi / 180;

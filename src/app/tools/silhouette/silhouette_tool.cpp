@@ -161,11 +161,8 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
     const auto kind = kinds.find(stroke.id);
     const bool on_surface = kind != kinds.end() && kind->second != silhouette::StrokeKind::Ignored;
     const QString word = kind == kinds.end() ? SilhouetteTool::tr("Line") : word_of(kind->second);
-    rows.push_back({QObject::tr("%1 %2").arg(word).arg(++counts[word]),
-                    {},
-                    shown_name(stroke.id),
-                    {stroke.id},
-                    on_surface});
+    rows.push_back(
+        {QObject::tr("%1 %2").arg(word).arg(++counts[word]), {}, shown_name(stroke.id), {stroke.id}, on_surface});
   }
   return rows;
 }
@@ -411,10 +408,11 @@ void SilhouetteTool::make_replays(Replays& replays) {
 }
 
 std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) {
-  return rows_of(studio(), object, node, [this, sketch = object.node](const std::string& stroke, const std::string& title) {
-    studio().set_active(sketch);
-    chips_.set({.stroke = stroke, .title = title});
-  });
+  return rows_of(studio(), object, node,
+                 [this, sketch = object.node](const std::string& stroke, const std::string& title) {
+                   studio().set_active(sketch);
+                   chips_.set({.stroke = stroke, .title = title});
+                 });
 }
 
 QString SilhouetteTool::owner_of(const NodeFinding& found) const {

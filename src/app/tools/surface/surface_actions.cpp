@@ -160,8 +160,7 @@ void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking
   add_mode_actions(network.host, actions);
   QMenu* menu = actions.menu(MenuId::Surface);
   menu->addSeparator();
-  for (QAction* action : add_rows(actions, menu, element_actions(network)))
-    action->setToolTip(action->text());
+  for (QAction* action : add_rows(actions, menu, element_actions(network))) action->setToolTip(action->text());
   actions.find("symmetric-edit")->setCheckable(true);
   add_plane_actions(network, actions, menu->addMenu(tr("Draw on")));
   menu->addSeparator();

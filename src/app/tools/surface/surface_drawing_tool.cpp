@@ -263,6 +263,7 @@ void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   domain_dock_ = docks.add(tr("Domain"), domain_panel_, "domain");
   docks.tabify("attributes", dock_);
   docks.tabify("findings", domain_dock_);
+  docks.keep_in_front(domain_dock_);
   docks.set_useful(dock_, false);
   docks.set_useful(domain_dock_, false);
 }
