@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/backdrop/backdrop_tool.h"
+#include "app/tools/history/history_tool.h"
 #include "app/tools/holes/hole_filling_tool.h"
 #include "app/tools/measure/measuring_tool.h"
 #include "app/tools/mesh/mesh_editing_tool.h"
@@ -13,6 +14,7 @@ namespace croquis::app {
 
 std::vector<std::unique_ptr<Tool>> all_tools(ToolHost& host) {
   std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::make_unique<HistoryTool>(host));  // its panel is beside those of the window
   tools.push_back(std::make_unique<SilhouetteTool>(host));
   tools.push_back(std::make_unique<PerspectiveDrawingTool>(host));
   tools.push_back(std::make_unique<SurfaceDrawingTool>(host));

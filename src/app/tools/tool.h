@@ -32,6 +32,7 @@ class QWidget;
 
 namespace croquis::app {
 
+class OffscreenPictures;
 class Tool;
 class Viewport;
 class Views;
@@ -43,6 +44,7 @@ class ToolHost {
 
   virtual Studio& studio() = 0;
   virtual Viewport& viewport() = 0;
+  virtual OffscreenPictures& pictures() = 0;
 
   /// What they show.
   Views& views();

@@ -189,7 +189,8 @@ void ObjectScenes::follow() {
 
 render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   render::Scene scene;
-  if (wanted.nothing) return scene;
+  if (wanted.instead) scene.meshes.emplace_back(*wanted.instead, render::Emphasis{}, style_of(wanted.look));
+  if (wanted.nothing || wanted.instead) return scene;
   const Selection& selection = studio_.session().selection();
   const auto is_selected = [&](const WorkObject& object) {
     return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -95,6 +96,7 @@ class ObjectScenes : public QObject {
     bool edited_cage = true;      ///< … unless the surface alone is wanted
     NodeId replaced = 0;          ///< an object in whose place …
     render::MeshItemPtr by;       ///< … this one is shown
+    std::optional<render::MeshItemPtr> instead;  ///< of all objects, and of what tools add; may be null
   };
   render::Scene scene(const Wanted& wanted) const;
 

@@ -50,6 +50,7 @@ render::Scene scene_of(const ViewPictures& pictures, int view) {
   wanted.outlines = true;
   for (const Tool* tool : views.tools) tool->adjust(wanted, view);
   render::Scene scene = views.objects.scene(wanted);
+  if (wanted.instead) return scene;
   for (Tool* tool : views.tools) tool->add_to(scene, view);
   return scene;
 }

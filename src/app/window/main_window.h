@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow, public ToolHost {
   WindowParts& parts() { return parts_; }
   Studio& studio() override { return parts_.studio; }
   Viewport& viewport() override { return *parts_.viewport; }
+  OffscreenPictures& pictures() override { return parts_.pictures; }
   ProjectFiles& files() { return parts_.files; }
   const std::vector<std::unique_ptr<Tool>>& tools() const override { return parts_.tools; }
 
@@ -148,7 +149,7 @@ void enable_actions(MainWindow& window);
 /// The cameras of the scene, in the order of their objects, beside the other views.
 void show_cameras(MainWindow& window);
 
-/// Adds the panels for objects, attributes, findings and history. @return lets them show what there is now
+/// Adds the panels for objects, attributes and findings. @return lets them show what there is now
 std::function<void()> add_panels(MainWindow& window);
 
 /// Selects objects, or steps of their chains.

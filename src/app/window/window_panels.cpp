@@ -204,11 +204,6 @@ QString owner_of(MainWindow& window, const NodeFinding& found) {
   return studio.objects().size() < 2 ? QString() : shown_name(*object);
 }
 
-void go_to_step(Session& session, int steps) {
-  while (static_cast<int>(session.undo_labels().size()) > steps && session.can_undo()) session.undo();
-  while (static_cast<int>(session.undo_labels().size()) < steps && session.can_redo()) session.redo();
-}
-
 void take_attributes(MainWindow& window, AttributePanel* attributes, PlacementFields* placement) {
   Studio& studio = window.studio();
   QObject::connect(
@@ -250,20 +245,17 @@ void take_objects(MainWindow& window, ObjectList* list) {
        [&studio](const std::string& group, const std::string& name) { rename_group(studio, group, name); });
 }
 
-void take_lists(MainWindow& window, FindingsList* findings, HistoryList* history) {
+void take_findings(MainWindow& window, FindingsList* findings) {
   QObject::connect(findings, &FindingsList::finding_chosen, &window,
                    [&window](const NodeFinding& found) { show_finding(window, found); });
   QObject::connect(findings, &FindingsList::fix_chosen, &window, [&window](const NodeFinding& found, QAction* fix) {
     choose_step(window, found.node);
     fix->trigger();
   });
-  QObject::connect(history, &HistoryList::step_chosen, &window,
-                   [&window](int steps) { go_to_step(window.studio().session(), steps); });
 }
 
-void show_lists(MainWindow& window, ObjectList* objects, FindingsList* findings, HistoryList* history) {
+void show_lists(MainWindow& window, ObjectList* objects, FindingsList* findings) {
   const Studio& studio = window.studio();
-  const Session& session = studio.session();
   objects->show_objects(studio);
   enable_step_actions(window);
   // Those of the files first: what they lack is missing everywhere else.
@@ -273,7 +265,6 @@ void show_lists(MainWindow& window, ObjectList* objects, FindingsList* findings,
   findings->show_findings(
       all, [&](const NodeFinding& found) { return owner_of(window, found); },
       [&](const NodeFinding& found) { return fixes_of(window, found); });
-  history->show_history(session.undo_labels(), session.redo_labels());
   QString status;
   for (const auto& tool : window.tools()) {
     if (status.isEmpty()) status = tool->words().status;
@@ -372,7 +363,6 @@ std::function<void()> add_panels(MainWindow& window) {
   auto* objects = new ObjectList(rows, &window);
   auto* attributes = new AttributePanel(&window);
   auto* findings = new FindingsList(&window);
-  auto* history = new HistoryList(&window);
   auto* fields = new QWidget(&window);
   auto* column = new QVBoxLayout(fields);
   auto* placement = new PlacementFields(fields);
@@ -383,16 +373,15 @@ std::function<void()> add_panels(MainWindow& window) {
   docks->add(QObject::tr("Objects"), objects, "objects");
   docks->add(QObject::tr("Attributes"), scrolled(fields), "attributes");
   docks->add(QObject::tr("Findings"), findings, "findings");
-  docks->add(QObject::tr("History"), history, "history");
   take_attributes(window, attributes, placement);
   take_objects(window, objects);
-  take_lists(window, findings, history);
-  return [&window, objects, attributes, findings, history, placement] {
+  take_findings(window, findings);
+  return [&window, objects, attributes, findings, placement] {
     const Studio& studio = window.studio();
     const Node* operation = active_operation(studio);
     attributes->show_node(operation, operation == nullptr ? nullptr : studio.description(operation->operation));
     placement->follow(studio);
-    show_lists(window, objects, findings, history);
+    show_lists(window, objects, findings);
   };
 }
 

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/views/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 

@@ -342,6 +342,8 @@ QString SubdivisionTool::offer() const {
 }
 
 void SubdivisionTool::compare(bool shown) {
+  // One of them has the second view.
+  if (QAction* versions = host().action("compare-version"); shown && versions->isChecked()) versions->trigger();
   comparison_.show(shown);
   Views& views = host().views();
   const bool sketched = !studio().drawing().strokes.empty();
