@@ -364,6 +364,78 @@
         <translation>이미지를 드래그하면 이동, 모서리를 드래그하면 크기 조절 · D: 그리기 · Q: 선택</translation>
     </message>
     <message>
+        <source>Steps of the history</source>
+        <translation>작업 내역의 단계</translation>
+    </message>
+    <message>
+        <source>Drag to go through the steps of the history</source>
+        <translation>끌어서 작업 내역의 단계를 훑어봅니다</translation>
+    </message>
+    <message>
+        <source>Save version…</source>
+        <translation>버전 저장…</translation>
+    </message>
+    <message>
+        <source>Compare with the chosen version</source>
+        <translation>선택한 버전과 비교</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>버전</translation>
+    </message>
+    <message>
+        <source>A version: click shows it, the right button what can be done</source>
+        <translation>버전: 클릭하면 표시하고, 오른쪽 버튼으로 할 수 있는 일을 봅니다</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>이름 바꾸기</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>삭제</translation>
+    </message>
+    <message>
+        <source>Save version</source>
+        <translation>버전 저장</translation>
+    </message>
+    <message>
+        <source>Name of the model as it is now:</source>
+        <translation>지금 모델의 이름:</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>버전 %1</translation>
+    </message>
+    <message>
+        <source>A version needs a name.</source>
+        <translation>버전에는 이름이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The version "%1" is saved. The panel History shows it again, and the project keeps it.</source>
+        <translation>버전 "%1"을(를) 저장했습니다. 작업 내역 패널에서 다시 표시할 수 있고, 프로젝트에 보관됩니다.</translation>
+    </message>
+    <message>
+        <source>Delete the version "%1"? This can't be undone.</source>
+        <translation>버전 "%1"을(를) 삭제할까요? 실행 취소할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Delete version</source>
+        <translation>버전 삭제</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>현재</translation>
+    </message>
+    <message>
+        <source>no faces</source>
+        <translation>페이스 없음</translation>
+    </message>
+    <message>
         <source>No hole is selected: click one in the list or in a view</source>
         <translation>선택된 구멍이 없습니다. 목록이나 뷰에서 구멍을 클릭하세요</translation>
     </message>
@@ -1202,10 +1274,6 @@
     <message>
         <source>Puts all chosen sets into the first one</source>
         <translation>고른 모든 세트를 첫 번째 세트로 합칩니다</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>삭제</translation>
     </message>
     <message>
         <source>Forgets the set; its edges stay as sharp as they are</source>
@@ -2644,8 +2712,8 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>문제 보고</translation>
     </message>
     <message>
-        <source>The report is one text file. It has the versions of Croquis and the system, the graphics card, the window's settings, the number of vertices and faces of each object, and kinds of findings, and when the window was slow. Nothing is sent: attach the file where you ask for help.</source>
-        <translation type="unfinished"></translation>
+        <source>The report is one text file. It has the versions of Croquis and the system, the graphics card, the window's settings, the number of vertices and faces of each object, kinds of findings, and when the window was slow. Nothing is sent: attach the file where you ask for help.</source>
+        <translation>보고서는 텍스트 파일 하나입니다. Croquis와 시스템의 버전, 그래픽 카드, 창 설정, 각 오브젝트의 버텍스와 페이스 수, 검사 결과의 종류, 창이 느렸던 때가 들어 있습니다. 아무것도 보내지 않습니다. 도움을 요청하는 곳에 파일을 첨부하십시오.</translation>
     </message>
     <message>
         <source>With the strokes and commands since the document was opened, and the sentences of findings</source>
@@ -3028,16 +3096,16 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>머리를 그리세요. 몸체와 겹치며, 나중에 그린 윤곽선이 앞에 놓입니다.</translation>
     </message>
     <message>
-        <source>Hold Shift and draw both ears. Lines drawn with Shift lie behind everything that is there.</source>
-        <translation type="unfinished"></translation>
+        <source>Hold Shift and draw both ears: they lie behind the head, so their lines stop at it.</source>
+        <translation>Shift를 누른 채 두 귀를 그리세요. 머리 뒤에 놓이므로 선은 머리에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Draw both eyes: closed lines within another one are parts in front.</source>
+        <translation>두 눈을 그리세요. 윤곽선 안의 닫힌 선은 앞쪽 부위가 됩니다.</translation>
     </message>
     <message>
         <source>Draw each arm as a single line that begins on the body. An open line becomes a limb.</source>
         <translation>팔은 몸체에서 시작하는 선 하나로 그리세요. 열린 선은 팔다리가 됩니다.</translation>
-    </message>
-    <message>
-        <source>Choose Sketch &gt; Join limbs: arms and body become one.</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose View &gt; Four views to see your character from all sides.</source>
@@ -3076,10 +3144,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>유리 상자처럼, 가려진 에지 세 개를 그리세요. 그러면 상자가 닫힙니다.</translation>
     </message>
     <message>
-        <source>Choose Perspective &gt; Look through the drawing: the solid stands exactly behind your lines.</source>
-        <translation>투시 &gt; 드로잉 시점으로 보기를 선택하세요. 솔리드가 그린 선과 정확히 겹칩니다.</translation>
-    </message>
-    <message>
         <source>The box is a solid with true proportions. Rotate it in the perspective view, or give an edge its length in the panel Perspective.</source>
         <translation>상자가 실제 비율의 솔리드가 되었습니다. 투시 뷰에서 돌려 보거나, 투시 패널에서 에지의 길이를 지정하세요.</translation>
     </message>
@@ -3100,8 +3164,8 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>처음으로 돌아오는 아치를 그리세요. 두 끝 사이의 커브는 지면 위로 솟을 수 있습니다.</translation>
     </message>
     <message>
-        <source>The curves close a loop. Press Enter, or choose Surface &gt; Patch: a smooth patch fills it.</source>
-        <translation type="unfinished"></translation>
+        <source>The curves close a loop. Press Patch, or the Enter key: a smooth patch fills it.</source>
+        <translation>커브가 닫힌 루프를 이룹니다. 패치 버튼이나 Enter 키를 누르면 매끄러운 패치가 채워집니다.</translation>
     </message>
     <message>
         <source>Choose the tool Point on a patch.</source>
@@ -3136,12 +3200,12 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>고리 안의 에지를 더블 클릭하세요. 머리를 도는 루프 전체가 선택됩니다.</translation>
     </message>
     <message>
-        <source>Choose Mesh &gt; Sharp: the surface folds along this loop and stays smooth elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <source>Press Sharp: the surface folds along this loop and stays smooth elsewhere.</source>
+        <translation>날카롭게를 누르세요. 서피스가 이 루프를 따라 꺾이고 나머지는 매끄럽게 유지됩니다.</translation>
     </message>
     <message>
-        <source>Choose Mesh &gt; Softer by a half: a soft edge is a small rounding.</source>
-        <translation type="unfinished"></translation>
+        <source>Choose Mesh &gt; Subdivision &gt; Finer: smaller faces, the same shape.</source>
+        <translation>메쉬 &gt; 서브디비전 &gt; 더 세밀하게를 선택하세요. 형태는 같고 페이스가 더 작아집니다.</translation>
     </message>
     <message>
         <source>Choose Mesh &gt; Subdivision &gt; Smooth surface to see the result alone.</source>
@@ -3168,8 +3232,8 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>내부 모두 메우기를 누르세요. 아래쪽의 열린 경계만 남고 모든 구멍이 닫힙니다.</translation>
     </message>
     <message>
-        <source>Choose View &gt; Patches by confidence: green is certain, red is a guess.</source>
-        <translation type="unfinished"></translation>
+        <source>Choose View &gt; Patches by confidence: the legend shows how certain each patch is.</source>
+        <translation>뷰 &gt; 신뢰도별 패치 색상을 선택하세요. 각 패치가 얼마나 확실한지 범례에 나옵니다.</translation>
     </message>
     <message>
         <source>Choose View &gt; Zebra stripes: they run on across a good patch.</source>
