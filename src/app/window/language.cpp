@@ -68,13 +68,13 @@ void add_pattern(Texts& texts, const QString& sentence, const QString& source) {
   Pattern pattern;
   pattern.source = source;
   for (const auto& found : place.globalMatch(shown)) pattern.places << found.captured(1).toInt();
-  QStringList pieces = shown.split(place);
-  for (QString& piece : pieces) {
-    if (piece.size() > pattern.longest.size()) pattern.longest = piece;
-    pattern.letters += piece.size();
-    piece = QRegularExpression::escape(piece);
-  }
-  pattern.shown.setPattern(QRegularExpression::anchoredPattern(pieces.join(QStringLiteral("(.+)"))));
+  const QStringList pieces = shown.split(place);
+  QString expression = QRegularExpression::escape(pieces.front());
+  for (const QString& piece : pieces.mid(1))  // of two values beside each other the first is one word
+    expression += (piece == " " ? "(\\S+)" : "(.+)") + QRegularExpression::escape(piece);
+  pattern.longest = *std::ranges::max_element(pieces, {}, &QString::size);
+  pattern.letters = pieces.join(QString()).size();
+  pattern.shown.setPattern(QRegularExpression::anchoredPattern(expression));
   texts.patterns << pattern;
 }
 
@@ -115,14 +115,19 @@ QString translated(const QString& english) {
 
 QString composed_in_language(const QString& text);
 
-/// By itself or by a pattern; null where there is none.
-QString translation_of(const QString& text) {
+struct Translation {
+  QString text;
+  qsizetype letters = 0;  ///< that the known text says itself; 0 where none is known
+};
+
+/// By itself or by a pattern.
+Translation translation_of(const QString& text) {
   const QString sentence = without_stop(text);
   const QString stop = text.endsWith('.') ? QStringLiteral(".") : QString();
   for (const QString& each : {text, sentence, text + '.'}) {
     const auto source = texts().english.constFind(english_of(each));
     if (source == texts().english.constEnd()) continue;
-    return each == text ? translated(*source) : without_stop(translated(*source)) + stop;
+    return {each == text ? translated(*source) : without_stop(translated(*source)) + stop, text.size()};
   }
   for (const Pattern& pattern : texts().patterns) {
     if (!sentence.contains(pattern.longest)) continue;
@@ -131,7 +136,7 @@ QString translation_of(const QString& text) {
     QString after = without_stop(translated(pattern.source));
     for (int i = 0; i < pattern.places.size(); ++i)
       after.replace(QChar(u'%') + QString::number(pattern.places[i]), composed_in_language(found.captured(i + 1)));
-    return after + stop;
+    return {after + stop, pattern.letters};
   }
   return {};
 }
@@ -142,26 +147,39 @@ QString parts_in_language(const QString& text, const QString& between, bool all)
   QStringList parts = text.split(between);
   qsizetype known = 0, unknown = 0;
   for (QString& part : parts) {
-    const QString after = translation_of(part);
-    if (after.isNull() && part.contains(word)) ++unknown;
-    if (after.isNull()) continue;
+    const Translation after = translation_of(part);
+    if (after.letters == 0 && part.contains(word)) ++unknown;
+    if (after.letters == 0) continue;
     ++known;
-    part = after;
+    part = after.text;
   }
   return parts.size() < 2 || known == 0 || (all && unknown > 0) ? QString() : parts.join(between);
 }
 
+/// A name with its number, a parameter with its value ("Bulge 0.2"), or else with a choice; null where it is none.
+QString titled_in_language(const QString& text, bool with_number) {
+  static const QRegularExpression number(QStringLiteral("^-?[\\d.]+(e[-+]?\\d+)?$"));
+  const auto& english = texts().english;
+  for (qsizetype at = text.indexOf(' '); at > 0; at = text.indexOf(' ', at + 1)) {
+    const auto title = english.constFind(text.left(at)), value = english.constFind(text.mid(at + 1));
+    if (title == english.constEnd()) continue;
+    if (with_number && number.match(text.mid(at + 1)).hasMatch()) return translated(*title) + text.mid(at);
+    if (!with_number && value != english.constEnd()) return translated(*title) + ' ' + translated(*value);
+  }
+  return {};
+}
+
 /// A text with values, or several of them: "Sketch 2", "file, line 3: what is wrong", sentences, a list.
 QString composed_in_language(const QString& text) {
-  static const QRegularExpression numbered(QStringLiteral("^(.*[^\\d ])( \\d+)$"));
-  const auto named = numbered.match(text);
-  if (const auto source = texts().english.constFind(named.captured(1)); source != texts().english.constEnd())
-    return translated(*source) + named.captured(2);
-  if (const QString whole = translation_of(text); !whole.isNull()) return whole;
-  for (qsizetype at = text.indexOf(": "); at > 0; at = text.indexOf(": ", at + 1)) {
-    const QString rest = translation_of(text.mid(at + 2));
-    if (!rest.isNull()) return composed_in_language(text.left(at)) + ": " + rest;
+  if (const QString titled = titled_in_language(text, true); !titled.isNull()) return titled;
+  Translation best = translation_of(text);
+  for (qsizetype at = text.indexOf(": "); at > 0 && best.letters < text.size(); at = text.indexOf(": ", at + 1)) {
+    const Translation rest = translation_of(text.mid(at + 2));
+    if (rest.letters > 0 && rest.letters >= best.letters)
+      best = {composed_in_language(text.left(at)) + ": " + rest.text, rest.letters};
   }
+  if (best.letters > 0) return best.text;
+  if (const QString titled = titled_in_language(text, false); !titled.isNull()) return titled;
   for (const char* between : {"\n", ". ", ", "}) {
     const QString parts = parts_in_language(text, between, *between == ',');
     if (!parts.isNull()) return parts;

@@ -31,10 +31,11 @@ class InKorean {
 
 /// Hangul, and no English beside names of files, of formats and of what people named.
 bool is_all_korean(QString text) {
-  static const QRegularExpression names(
-      QStringLiteral("'[^']*'|\"[^\"]*\"|\\w+\\.(croq|svg|obj|ply|stl|off|glb|json|png)|Head|Blobs|mug|hexbolt|scan|"
-                     "hoodfront|hood|corners|"
-                     "JSON|XML|UTF|STL|PLY|OBJ|OFF|glTF|GLB|OpenCASCADE|Croquis|rbf|auto|contour, .* visible"));
+  static const QRegularExpression names(QStringLiteral(
+      "'[^']*'|\"[^\"]*\"|\\w+\\.(croq|svg|obj|ply|stl|off|glb|json|png)|Head|Hex bolt|nodes|moveto|mug|hexbolt|scan|"
+      "hoodfront|hood|corners|"
+      "JSON|JPEG|PNG|SVG|XML|UTF|\\.croq|Error "
+      "parsing.*|STL|PLY|OBJ|OFF|glTF|GLB|OpenCASCADE|Croquis|rbf|auto|contour, .* visible"));
   static const QRegularExpression hangul(QStringLiteral("[\\x{ac00}-\\x{d7a3}]"));
   static const QRegularExpression english(QStringLiteral("[A-Za-z]{2}"));
   text.remove(names);
@@ -116,6 +117,8 @@ TEST_CASE("every composed text is Korean with its values, and none is taken for 
   CHECK(app::localized("STL can't hold normals, colours and groups.")
             .startsWith(QStringLiteral("STL 형식에는 노멀, 색상")));
   CHECK(app::localized("Head 2") == "Head 2");
+  CHECK(app::localized("Bulge 0.2") == QStringLiteral("볼록함 0.2"));
+  CHECK(app::localized("Smoothing Triangles (Loop)") == QStringLiteral("스무딩 삼각형 (Loop)"));
 }
 
 TEST_CASE("whatever is done in a Korean window has a Korean step in the history, with the names that people gave",
@@ -124,15 +127,19 @@ TEST_CASE("whatever is done in a Korean window has a Korean step in the history,
   std::set<QString> shown;
   StudioFixture hand;
   hand.window().set_unattended();
+  hand.window().start_with();
+  hand.look_at({-200, -200}, {200, 200});
   for (const double radius : {60, 20}) draw_circle(hand, 0, radius);
   draw_circle(hand, 80, 50);
+  hand.settle();
   collect_steps(
       hand,
       R"({"do":"drag","stroke":"stroke 1","by":[4,9]} | {"do":"stroke-set","stroke":"stroke 2","kind":"hole"} | )"
-      R"({"do":"stroke-set","stroke":"stroke 2","kind":"visible"} | join-limbs | add-step-subdivide | add-sketch-top | )"
-      R"({"do":"stroke-set","stroke":"stroke 1","in-front-of":"stroke 3"} | step-on | freeze-step | undo | )"
-      R"({"do":"stroke-set","stroke":"stroke 3","thickness":0.5} | )"
-      R"({"do":"set","node":"subdivide","parameter":"levels","value":1})",
+      R"({"do":"stroke-set","stroke":"stroke 2","kind":"visible"} | )"
+      R"({"do":"stroke-set","stroke":"stroke 1","in-front-of":"stroke 3"} | )"
+      R"({"do":"stroke-set","stroke":"stroke 3","thickness":0.5} | add-step-subdivide | )"
+      R"({"do":"set","node":"subdivide","parameter":"levels","value":1} | step-on | step-on | freeze-step | undo | )"
+      R"(add-sketch-top)",
       shown);
   rename_object(hand.studio(), hand.studio().objects().front().node, "Head");
   const auto* objects = hand.window().findChild<app::ObjectList*>("objects");
