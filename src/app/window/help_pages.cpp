@@ -121,7 +121,7 @@ struct About {
 About about(const QString& title, const QString& keys, const QString& tooltip, const HelpPlace& place) {
   QString text = QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped());
   if (!keys.isEmpty()) text += " (" + keys.toHtmlEscaped() + ')';
-  if (!tooltip.isEmpty() && !tooltip.startsWith(title)) text += "<p>" + tooltip.toHtmlEscaped() + "</p>";
+  if (!tooltip.isEmpty() && tooltip != title) text += "<p>" + tooltip.toHtmlEscaped() + "</p>";
   const QStringList passages = passages_of(place.heading);
   const auto found = std::ranges::find_if(passages, [&](const QString& each) { return each.contains(place.words); });
   if (found != passages.end()) text += "<p>" + found->toHtmlEscaped() + "</p>";

@@ -57,14 +57,15 @@ QPalette palette_of(const ThemeColors& theme) {
 }
 
 /// Icons are drawn for the dark theme: elsewhere each of its colours is replaced by the one that means the same.
-QByteArray in_theme_colors(QByteArray svg) {
+QByteArray in_theme_colors(QByteArray svg, bool selected) {
   const ThemeColors& theme = theme_colors();
-  const std::array<std::pair<const char*, QColor>, 6> meanings{{{"#e2e4e8", theme.text},
-                                                                {"#b9c0cb", theme.text},
-                                                                {"#9aa0a8", theme.faint},
-                                                                {"#6b7078", theme.disabled},
-                                                                {"#2b2d31", theme.base},
-                                                                {"#f28c28", theme.accent}}};
+  const std::array<std::pair<const char*, QColor>, 6> meanings{
+      {{"#e2e4e8", selected ? theme.on_accent : theme.text},
+       {"#b9c0cb", theme.text},
+       {"#9aa0a8", theme.faint},
+       {"#6b7078", selected ? theme.on_accent : theme.disabled},
+       {"#2b2d31", theme.base},
+       {"#f28c28", theme.accent}}};
   for (const auto& [drawn, color] : meanings) svg.replace(drawn, color.name().toLatin1());
   return svg;
 }
@@ -77,7 +78,7 @@ class ThemeIcon : public QIconEngine {
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     QFile file(file_);
     if (!file.open(QIODevice::ReadOnly)) return;
-    QSvgRenderer renderer(in_theme_colors(file.readAll()));
+    QSvgRenderer renderer(in_theme_colors(file.readAll(), mode == QIcon::Selected));
     constexpr double disabled_strength = 0.4;
     if (mode == QIcon::Disabled) painter->setOpacity(disabled_strength * painter->opacity());
     const double side = std::min(rect.width(), rect.height());
@@ -116,7 +117,9 @@ class StudioStyle : public QProxyStyle {
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     if (element == PE_IndicatorItemViewItemCheck && widget != nullptr && widget->objectName() == "objects")
-      return action_icon(option->state & State_On ? "eye" : "eye_off").paint(painter, option->rect);
+      return action_icon(option->state & State_On ? "eye" : "eye_off")
+          .paint(painter, option->rect, Qt::AlignCenter,
+                 option->state & State_Selected ? QIcon::Selected : QIcon::Normal);
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_PanelButtonCommand || element == PE_FrameLineEdit || element == PE_IndicatorCheckBox)
       draw_border(*option, *painter);
@@ -146,6 +149,7 @@ QToolBar { border: none; spacing: 2px; padding: 3px; background: @window; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 5px; }
 QToolButton:hover { background: @hovered; }
 QToolButton:checked { background: @checked; border-color: @accent; }
+QTabBar::tab:selected { color: @link; }
 QPushButton:checked { background: @checked; }
 QStatusBar { background: @base; }
 QStatusBar::item { border: none; }
@@ -164,7 +168,7 @@ QHeaderView::section { background: @window; border: none; padding: 2px 3px; }
 
 QString style_sheet_of(const ThemeColors& theme) {
   QString sheet = style_sheet;
-  const std::array<std::pair<const char*, QColor>, 12> words{{{"@text", theme.text},
+  const std::array<std::pair<const char*, QColor>, 13> words{{{"@text", theme.text},
                                                               {"@base", theme.base},
                                                               {"@line", theme.line},
                                                               {"@bar", theme.bar},
@@ -175,7 +179,8 @@ QString style_sheet_of(const ThemeColors& theme) {
                                                               {"@faint", theme.faint},
                                                               {"@good", theme.good},
                                                               {"@warning", theme.warning},
-                                                              {"@error", theme.error}}};
+                                                              {"@error", theme.error},
+                                                              {"@link", theme.link}}};
   for (const auto& [word, color] : words) sheet.replace(word, color.name());
   return sheet;
 }

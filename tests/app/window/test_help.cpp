@@ -163,7 +163,6 @@ TEST_CASE("a report has what helps, and names and shapes only where that is tick
   const auto lines = recorded::parse(recording, "report", recorded::all_steps());
   CHECK(lines.size() >= linked_rings_sketch().drawing.strokes.size());
   const QString project = hand.folder() + "/report.croq";
-  QFile(project).open(QIODevice::WriteOnly);
   QFile copy(project);
   REQUIRE(copy.open(QIODevice::WriteOnly));
   copy.write(QByteArray::fromBase64(whole["document"].toString().toLatin1()));

@@ -64,6 +64,12 @@ class Mug : public StudioFixture {
     return {handle / 2 + room * step / std::max(1, slider().maximum()), slider().height() / 2};
   }
 
+  /// For people to look at.
+  void keep_picture(const QString& name) {
+    if (qEnvironmentVariableIsSet("CROQUIS_PICTURES"))
+      window().grab().save(qEnvironmentVariable("CROQUIS_PICTURES") + "/" + name + ".png");
+  }
+
   std::vector<std::uint64_t> states() {
     std::vector<std::uint64_t> all;
     for (const auto& each : session().history()) all.push_back(each.state);
@@ -149,6 +155,7 @@ TEST_CASE("a step that has settled has a picture above the slider's handle", "[h
   CHECK(shown->isVisible());
   CHECK(shown->pixmap(Qt::ReturnByValue).toImage().convertToFormat(QImage::Format_RGB32) ==
         hand.history().picture(state).convertToFormat(QImage::Format_RGB32));
+  hand.keep_picture("history");
   const QRect place(shown->mapToGlobal(QPoint()), shown->size());
   CHECK(place.bottom() < hand.slider().mapToGlobal(QPoint(0, hand.slider().height())).y());
   QTest::mouseRelease(&hand.slider(), Qt::LeftButton, Qt::NoModifier, hand.place_of(hand.slider().maximum()));
@@ -213,8 +220,7 @@ TEST_CASE("versions come with their project, and with what a crash left", "[hist
   CHECK(names_of(hand.session()) == std::vector<std::string>{"First", "Second"});
   emit hand.versions().itemClicked(hand.versions().item(0));
   CHECK(hand.studio().objects().size() == 1);
-  CHECK(hand.session().document().find(hand.object())->parameters ==
-        first.find(first.nodes().back()->id)->parameters);
+  CHECK(hand.session().document().find(hand.object())->parameters == first.find(first.nodes().back()->id)->parameters);
 }
 
 TEST_CASE("a version stands beside the present model in the same camera, both with their numbers", "[history]") {
@@ -244,6 +250,7 @@ TEST_CASE("a version stands beside the present model in the same camera, both wi
   const auto triangles = [&](int view) { return hand.viewport().pictures().state(view).triangles; };
   CHECK(triangles(app::ComparisonView) > 0);
   CHECK(triangles(app::PerspectiveView) > 4 * triangles(app::ComparisonView));
+  hand.keep_picture("compare");
   // The present side follows, the other one stays.
   hand.set_level(2);
   REQUIRE(hand.wait_for([&] { return digits(title(app::PerspectiveView)).find(faces(fine)) == std::string::npos; }));

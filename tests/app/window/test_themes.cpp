@@ -193,18 +193,18 @@ TEST_CASE("a theme that people choose is there at once, and at the next start", 
     const QImage picture = hand.window().statusBar()->grab().toImage();
     return picture.pixelColor(picture.width() / 2, picture.height() - 1);
   };
-  for (const QString& expected : {"light", "contrast"}) {
+  for (const char* expected : {"light", "contrast"}) {
     const QColor before = ground();
     hand.act("preferences");
     QDialog* dialog = dialog_of(hand, "preferences");
     QTest::keyClick(dialog->findChild<QComboBox*>("theme"), Qt::Key_Down);
     CHECK(app::kept_theme() == expected);
-    save_picture(*dialog, "preferences-in-" + expected);
+    save_picture(*dialog, QString("preferences-in-") + expected);
     delete dialog;
     hand.settle();
     CHECK(ground() != before);
     CHECK(ground() == app::theme_colors().base);
-    save_picture(hand.window(), "window-" + expected);
+    save_picture(hand.window(), QString("window-") + expected);
   }
   const QString picture = hand.folder() + "/window.png";
   CHECK(QProcess::execute(CROQUIS_STUDIO, {"--screenshot", picture}) == 0);

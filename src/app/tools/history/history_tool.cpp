@@ -34,8 +34,7 @@ QString text_of(const Version& version) { return QString::fromStdString(version.
 
 }  // namespace
 
-StepSlider::StepSlider(std::function<QImage(int)> picture)
-    : QSlider(Qt::Horizontal), picture_of_(std::move(picture)) {
+StepSlider::StepSlider(std::function<QImage(int)> picture) : QSlider(Qt::Horizontal), picture_of_(std::move(picture)) {
   setObjectName("history-slider");
   setAccessibleName(tr("Steps of the history"));
   setToolTip(tr("Drag to go through the steps of the history"));
@@ -99,8 +98,8 @@ void HistoryTool::make_actions(ActionList& actions) {
   QAction* after = host().action("delete");
   QAction* save = actions.add(
       menu, "save-version", tr("Save version…"), {}, [this] { ask_name(); }, Recorded::ByItself);
-  QAction* compare = actions.add(menu, "compare-version", tr("Compare with the chosen version"), {},
-                                 [this] { toggle_comparing(); });
+  QAction* compare =
+      actions.add(menu, "compare-version", tr("Compare with the chosen version"), {}, [this] { toggle_comparing(); });
   compare->setCheckable(true);
   menu->insertActions(after, {save, compare});
   menu->insertSeparator(after);
@@ -133,12 +132,15 @@ void HistoryTool::make_panels(PanelDocks& panels) {
   connect(slider_, &QSlider::sliderReleased, this, [this] { go_to(slider_->value(), false); });
   connect(steps_, &HistoryList::step_chosen, this, [this](int step) { go_to(step, false); });
   const auto take = [this](auto signal, auto work, Qt::ConnectionType when) {
-    connect(versions_, signal, this, [this, work](QListWidgetItem* row) { work(versions_->row(row), row); }, when);
+    connect(
+        versions_, signal, this, [this, work](QListWidgetItem* row) { work(versions_->row(row), row); }, when);
   };
-  take(&QListWidget::itemClicked, [this](int row, QListWidgetItem*) { show_version(row); }, Qt::DirectConnection);
+  take(
+      &QListWidget::itemClicked, [this](int row, QListWidgetItem*) { show_version(row); }, Qt::DirectConnection);
   // All rows are shown again.
-  take(&QListWidget::itemChanged, [this](int row, QListWidgetItem* item) { rename_version(row, item->text()); },
-       Qt::QueuedConnection);
+  take(
+      &QListWidget::itemChanged, [this](int row, QListWidgetItem* item) { rename_version(row, item->text()); },
+      Qt::QueuedConnection);
 }
 
 void HistoryTool::refresh() {

@@ -191,6 +191,7 @@ HoleTable::HoleTable(QWidget* parent) : QTableWidget(parent) {
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setShowGrid(false);
+  setTabKeyNavigation(false);  // the Tab key leads on, arrows lead to other rows
   setIconSize({16, 16});
   setSortingEnabled(true);
   sortByColumn(Number, Qt::AscendingOrder);
