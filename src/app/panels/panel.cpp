@@ -122,7 +122,7 @@ QScrollArea* scrolled(QWidget* panel) {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);  // its fields take the keyboard
-  panel->setMinimumWidth(1);  // fields get narrower when a scroll bar takes some of the width
+  panel->setMinimumWidth(1);            // fields get narrower when a scroll bar takes some of the width
   scroll->setWidget(panel);
   return scroll;
 }

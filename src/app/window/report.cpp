@@ -122,10 +122,9 @@ void ask_report(MainWindow& window) {
   dialog->setWindowTitle(QObject::tr("Report a problem"));
   auto* column = new QVBoxLayout(dialog);
   auto* about = new QLabel(
-      QObject::tr(
-          "The report is one text file. It has the versions of Croquis and the system, the graphics card, the "
-          "window's settings, the number of vertices and faces of each object, kinds of findings, and when the "
-          "window was slow. Nothing is sent: attach the file where you ask for help."),
+      QObject::tr("The report is one text file. It has the versions of Croquis and the system, the graphics card, the "
+                  "window's settings, the number of vertices and faces of each object, kinds of findings, and when the "
+                  "window was slow. Nothing is sent: attach the file where you ask for help."),
       dialog);
   about->setWordWrap(true);
   about->setMinimumWidth(report_width);
