@@ -45,7 +45,7 @@ std::size_t ink_in(const Picture& picture, int left, int top, int width, int hei
     for (int x = left; x < left + width; ++x) {
       const auto at =
           4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-      dark += picture.rgba[at] < 60 && picture.rgba[at + 1] < 60 ? 1 : 0;
+      if (picture.rgba[at] < 60 && picture.rgba[at + 1] < 60) ++dark;
     }
   }
   return dark;

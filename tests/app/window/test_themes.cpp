@@ -243,7 +243,7 @@ TEST_CASE("the first start asks once, and what is chosen works at once and is ke
   choose_next("key-preset");
   CHECK(hand.window().action("move")->shortcut() == QKeySequence("G"));
   QTest::mouseClick(dialog->findChild<QAbstractButton*>("navigate-cad"), Qt::LeftButton);
-  CHECK(hand.window().views().navigation.options().preset == NavigationPreset::Cad);
+  CHECK(app::kept_navigation().preset == NavigationPreset::Cad);
   save_picture(*dialog, "first-start-chosen");
   QTest::mouseClick(dialog->findChild<QPushButton*>("begin"), Qt::LeftButton);
   QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
