@@ -74,6 +74,7 @@ void make_number(ParameterField& field, const ParameterDescription& description)
     box->setSingleStep((scale.high - scale.low) / 100);
     static_cast<QHBoxLayout*>(field.layout())->setStretchFactor(slider, 1);
     slider->setRange(0, SliderScale::positions);
+    slider->setFocusPolicy(Qt::ClickFocus);  // the Tab key leads to the box beside it
     slider->setToolTip(parameter_help(description));
     QObject::connect(slider, &QSlider::valueChanged, &field, [&field, box, slider, scale](int position) {
       const double value = number_words(scale.value_at(position), 3).toDouble();
@@ -191,6 +192,7 @@ PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new
   grid->setVerticalSpacing(3);
   grid->setHorizontalSpacing(4);
   const std::array names{"position", "rotation", "size"};
+  const std::array titles{tr("Position"), tr("Rotation"), tr("Size")};
   const std::array tips{tr("Where the middle of its box is: x, y, z"),
                         tr("Degrees about x, then y, then z, around its middle"),
                         tr("How far it reaches along its own x, y and z")};
@@ -203,6 +205,7 @@ PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new
       const QString name = QString("%1-%2").arg(names[at]).arg(QChar('x' + axis));
       QDoubleSpinBox* box = make_number_box(this, name, {-farthest, farthest, 2});
       box->setMinimumWidth(least_width);
+      box->setAccessibleName(QStringLiteral("%1 %2").arg(titles[at]).arg(QChar('x' + axis)));
       box->setButtonSymbols(QAbstractSpinBox::NoButtons);
       share_keys(box);
       connect(box, &QDoubleSpinBox::valueChanged, this,

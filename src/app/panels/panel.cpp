@@ -90,7 +90,12 @@ QLabel* Panel::label(const QString& words) { return new QLabel(words, this); }
 
 void Panel::row(std::initializer_list<Cell> cells) {
   auto* row = new QHBoxLayout;
-  for (const Cell& cell : cells) row->addWidget(cell.widget, cell.stretch);
+  QString title;
+  for (const Cell& cell : cells) {
+    row->addWidget(cell.widget, cell.stretch);
+    if (const auto* label = qobject_cast<const QLabel*>(cell.widget)) title = label->text();
+    if (cell.widget->accessibleName().isEmpty()) cell.widget->setAccessibleName(title);
+  }
   column_->addLayout(row);
 }
 

@@ -47,6 +47,7 @@ void clear(QLayout* layout) {
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setObjectName("start-page");
+  setAccessibleName(tr("Start page"));
   setFocusPolicy(Qt::StrongFocus);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);

@@ -116,7 +116,7 @@ TEST_CASE("every composed text is Korean with its values, and none is taken for 
         QStringLiteral("'a.obj' 3행: 정점 9이(가) 없습니다."));
   CHECK(app::localized("STL can't hold normals, colours and groups.")
             .startsWith(QStringLiteral("STL 형식에는 노멀, 색상")));
-  CHECK(app::localized("Head 2") == "Head 2");
+  CHECK(app::localized("Gnome 2") == "Gnome 2");
   CHECK(app::localized("Bulge 0.2") == QStringLiteral("볼록함 0.2"));
   CHECK(app::localized("Smoothing Triangles (Loop)") == QStringLiteral("스무딩 삼각형 (Loop)"));
 }

@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabletEvent>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -126,6 +127,7 @@ void check_keyboard(QWidget& window, const char* state) {
   }
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!tab_should_reach(*widget, window)) continue;
+    if (qobject_cast<QTabBar*>(widget) != nullptr) continue;  // its tabs have names, and it has none
     QString name = QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name);
     for (QWidget* above = widget->parentWidget(); name.isEmpty() && above != nullptr; above = above->parentWidget())
       if (above->focusProxy() == widget) name = QAccessible::queryAccessibleInterface(above)->text(QAccessible::Name);
@@ -175,7 +177,8 @@ TEST_CASE("icons stand out from their bar, in every theme", "[themes]") {
   for (const auto& [name, title] : app::themes()) {
     app::use_theme(name);
     for (const QAction* action : hand.window().actions()) {
-      if (action->icon().isNull()) continue;
+      const bool is_swatch = action->objectName().startsWith("group-");  // its colour is what it means
+      if (action->icon().isNull() || is_swatch) continue;
       INFO(name.toStdString() << ": " << action->objectName().toStdString());
       CHECK(contrast(ink_of(action->icon()), hand.window().palette().color(QPalette::Window)) >= 3);
       ++seen;

@@ -151,11 +151,12 @@ void add_known_point(Panel& panel, Sheet& sheet) {
   pick->setToolTip(Panel::tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
   QObject::connect(pick, &QPushButton::clicked, &panel,
                    [&sheet](bool on) { app::pick(sheet, on ? SheetPick::Point : SheetPick::None); });
-  auto* forget = new QPushButton(QStringLiteral("✕"), &panel);
+  auto* forget = new QToolButton(&panel);
+  forget->setText(QStringLiteral("✕"));
   forget->setObjectName("perspective-forget-point");
   forget->setToolTip(Panel::tr("No point is known"));
-  forget->setMaximumWidth(28);
-  QObject::connect(forget, &QPushButton::clicked, &panel, [&sheet] { sheet.take(recorded::SheetPoint{}); });
+  forget->setAccessibleName(forget->toolTip());
+  QObject::connect(forget, &QToolButton::clicked, &panel, [&sheet] { sheet.take(recorded::SheetPoint{}); });
   panel.row({{pick, 1}, forget});
   panel.also([&sheet, pick, forget] {
     pick->setChecked(sheet.picks == SheetPick::Point);
@@ -241,6 +242,7 @@ void show_lines(QTreeWidget& list, const PerspectiveResult* result) {
 void add_lines(Panel& panel, Sheet& sheet) {
   auto* list = new QTreeWidget(&panel);
   list->setObjectName("perspective-lines");
+  list->setAccessibleName(Panel::tr("Lines"));
   list->setRootIsDecorated(false);
   list->setHeaderLabels({Panel::tr("Line"), Panel::tr("Along"), Panel::tr("Off by")});
   list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);

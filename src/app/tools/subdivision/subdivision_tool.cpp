@@ -74,6 +74,7 @@ std::pair<double, double> dihedral_range(const WorkObject& object) {
 }  // namespace
 
 ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
+  setTabKeyNavigation(false);
   setObjectName("chains");
   setAccessibleName(tr("Chains of sharp edges"));
   setToolTip(tr("Angles at which the surface folds along the chain, on the level that is seen"));
