@@ -104,9 +104,31 @@ KeptComponents selected_now(ComponentSelection components, const Document& docum
 
 }  // namespace
 
+void Versions::set(std::vector<Version> list, bool pictures_alone) {
+  const bool stays_saved = pictures_alone && !modified();
+  list_ = std::move(list);
+  ++state_;
+  if (stays_saved) mark_saved();
+  changed();
+}
+
+std::vector<PastDocument> past_of(const Session& session, std::size_t most) {
+  const std::vector<std::string> labels = session.undo_labels();
+  const std::vector<Session::State> history = session.history();
+  std::vector<PastDocument> past;
+  for (std::size_t i = labels.size() - std::min(most, labels.size()); i < labels.size(); ++i) {
+    past.push_back({labels[i], history[i].document});
+  }
+  return past;
+}
+
 Session::Session(Document initial, std::size_t byte_cap, MeshFinder find)
     : find_mesh_(std::move(find)), byte_cap_(byte_cap) {
   now_.document = std::move(initial);
+  versions.changed = [this] {
+    ++revision_;
+    report_change();
+  };
 }
 
 void Session::show(Step step) {
@@ -174,16 +196,6 @@ void Session::cancel_drag() {
   report_change();
 }
 
-void Session::travel(std::deque<Step>& from, std::deque<Step>& to) {
-  if (from.empty()) return;
-  Step step = std::move(from.back());
-  from.pop_back();
-  Step now = labelled(now_, step.label);
-  show(std::move(step));
-  keep(std::move(now), to, now_);
-  forget_beyond(byte_cap_, undo_, redo_);
-}
-
 void Session::undo() {
   if (end_drag(); can_undo()) go_to(undo_.size() - 1);
 }
@@ -193,6 +205,14 @@ void Session::redo() { go_to(undo_.size() + 1); }
 void Session::go_to(std::size_t steps) {
   end_drag();
   const std::uint64_t before = revision_;
+  const auto travel = [this](std::deque<Step>& from, std::deque<Step>& to) {
+    Step step = std::move(from.back());
+    from.pop_back();
+    Step now = labelled(now_, step.label);
+    show(std::move(step));
+    keep(std::move(now), to, now_);
+    forget_beyond(byte_cap_, undo_, redo_);
+  };
   while (undo_.size() > steps) travel(undo_, redo_);
   while (undo_.size() < steps && can_redo()) travel(redo_, undo_);
   if (revision_ != before) report_change();
@@ -243,22 +263,14 @@ void Session::check_components() {
   report_change();
 }
 
-void Session::set_versions(std::vector<Version> versions, bool pictures_alone) {
-  versions_ = std::move(versions);
-  ++versions_state_;
-  if (pictures_alone && saved_versions_ + 1 == versions_state_) saved_versions_ = versions_state_;
-  ++revision_;
-  report_change();
-}
-
 void Session::mark_saved() {
   if (!modified()) return;
   saved_state_ = now_.state;
-  saved_versions_ = versions_state_;
+  versions.mark_saved();
   report_change();
 }
 
-void Session::load(Document document, bool modified, std::vector<PastDocument> past, std::vector<Version> versions) {
+void Session::load(Document document, bool modified, std::vector<PastDocument> past, std::vector<Version> kept) {
   drag_.reset();
   undo_.clear();
   redo_.clear();
@@ -266,24 +278,14 @@ void Session::load(Document document, bool modified, std::vector<PastDocument> p
   now_.document = std::move(document);
   now_.state = ++last_state_;
   saved_state_ = modified ? ++last_state_ : now_.state;
-  versions_ = std::move(versions);
-  saved_versions_ = ++versions_state_;
   for (std::size_t i = 0; i < past.size(); ++i) {
     const Document& next = i + 1 < past.size() ? past[i + 1].document : now_.document;
     const std::size_t bytes = bytes_beside(past[i].document, next);
     undo_.push_back({std::move(past[i].label), past[i].document, {}, now_.components, ++last_state_, bytes});
   }
   forget_beyond(byte_cap_, undo_, redo_);
-  ++revision_;
-  report_change();
-}
-
-std::vector<PastDocument> Session::past(std::size_t most) const {
-  std::vector<PastDocument> past;
-  for (std::size_t i = undo_.size() - std::min(most, undo_.size()); i < undo_.size(); ++i) {
-    past.push_back({undo_[i].label, undo_[i].document});
-  }
-  return past;
+  versions.mark_saved();
+  versions.set(std::move(kept), true);
 }
 
 void Session::on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }

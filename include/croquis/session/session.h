@@ -17,6 +17,26 @@
 
 namespace croquis {
 
+/// Documents that people keep under names.
+class Versions {
+ public:
+  const std::vector<Version>& list() const { return list_; }
+
+  /// @param pictures_alone only these differ from before: what was saved stays so
+  void set(std::vector<Version> list, bool pictures_alone = false);
+
+  std::uint64_t state() const { return state_; }  ///< grows with each change
+  bool modified() const { return state_ != saved_; }
+  void mark_saved() { saved_ = state_; }
+
+  std::function<void()> changed = [] {};  ///< called after each change
+
+ private:
+  std::vector<Version> list_;
+  std::uint64_t state_ = 0;
+  std::uint64_t saved_ = 0;
+};
+
 /// What somebody works on: the current document with its history, and what is selected.
 ///
 /// Undo is keeping the old documents. They share what didn't change, so a step costs only what it replaced; above the
@@ -77,24 +97,17 @@ class Session {
   /// Computed meshes are there now that may be others than before: what they don't have falls out.
   void check_components();
 
-  /// Documents that people keep under names; no part of the history.
-  const std::vector<Version>& versions() const { return versions_; }
-  /// @param pictures_alone only these differ from before: what was saved stays so
-  void set_versions(std::vector<Version> versions, bool pictures_alone = false);
-  std::uint64_t versions_state() const { return versions_state_; }  ///< grows with each change of them
+  Versions versions;  ///< no part of the history; its changes are reported as those of the document
 
   /// Whether the document isn't the one last saved or loaded, right across undo and redo, or the versions aren't.
-  bool modified() const { return now_.state != saved_state_ || versions_state_ != saved_versions_; }
+  bool modified() const { return now_.state != saved_state_ || versions.modified(); }
   void mark_saved();
 
   /// Another document, without selection.
   /// @param modified for recovered work, which no file holds yet
   /// @param past     that undo leads back to
   void load(Document document, bool modified = false, std::vector<PastDocument> past = {},
-            std::vector<Version> versions = {});
-
-  /// What undo leads back to in that many steps, at most; the oldest first.
-  std::vector<PastDocument> past(std::size_t most) const;
+            std::vector<Version> kept = {});
 
   /// Called after every change, on the same thread; several are called in the order they came. They may use the
   /// session.
@@ -114,7 +127,6 @@ class Session {
     std::size_t bytes = 0;  ///< what it keeps alive beside its neighbour towards the current document
   };
 
-  void travel(std::deque<Step>& from, std::deque<Step>& to);
   void show(Step step);
   void report_change();
 
@@ -127,10 +139,10 @@ class Session {
   std::uint64_t revision_ = 0;
   std::uint64_t saved_state_ = 0;
   std::uint64_t last_state_ = 0;
-  std::vector<Version> versions_;
-  std::uint64_t versions_state_ = 0;
-  std::uint64_t saved_versions_ = 0;
   std::vector<std::function<void()>> listeners_;
 };
+
+/// What undo leads back to in that many steps, at most; the oldest first.
+std::vector<PastDocument> past_of(const Session& session, std::size_t most);
 
 }  // namespace croquis

@@ -192,7 +192,7 @@ QString ProjectFiles::save(const QString& path) {
   ProjectFile project;
   project.document = studio_.session().document();
   project.thumbnail_png = keeper_.thumbnail();
-  project.kept = {kept_results(studio_), {}, studio_.session().versions()};
+  project.kept = {kept_results(studio_), {}, studio_.session().versions.list()};
   QString aside;
   if (is_damaged(path) && QFileInfo::exists(path)) {
     aside = QString::fromStdString(put_damaged_project_aside(local(path)).string());

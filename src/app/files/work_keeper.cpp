@@ -36,7 +36,7 @@ WorkKeeper::~WorkKeeper() { disk_.waitForDone(); }
 void WorkKeeper::follow_session() {
   const Session& session = studio_.session();
   touched_ = touched_ || session.modified();
-  const bool same = same_nodes(session.document(), saved_) && saved_versions_ == session.versions_state();
+  const bool same = same_nodes(session.document(), saved_) && saved_versions_ == session.versions.state();
   if (!touched_ || same || timer_.isActive()) return;
   timer_.start(autosave_delay_ms);
 }
@@ -70,13 +70,13 @@ void WorkKeeper::save() {
   const Document& document = session.document();
   const auto items = !studio_.busy() ? shown_items() : std::vector<render::Shown<render::MeshItem>>();
   const bool wants_picture = !items.empty() && (!has_thumbnail_ || since_thumbnail_.hasExpired(thumbnail_pause_ms));
-  KeptWork kept{kept_results(studio_), session.past(most_kept_steps), session.versions()};
+  KeptWork kept{kept_results(studio_), past_of(session, most_kept_steps), session.versions.list()};
   const bool same =
-      same_nodes(document, saved_) && kept.results == saved_results_ && saved_versions_ == session.versions_state();
+      same_nodes(document, saved_) && kept.results == saved_results_ && saved_versions_ == session.versions.state();
   if (same && !(wants_picture && !has_thumbnail_)) return;
   saved_ = document;
   saved_results_ = kept.results;
-  saved_versions_ = session.versions_state();
+  saved_versions_ = session.versions.state();
   if (wants_picture) {
     has_thumbnail_ = true;
     since_thumbnail_.start();

@@ -67,7 +67,7 @@ class WorkKeeper : public QObject {
   QElapsedTimer since_thumbnail_;
   KeptResults saved_results_;
   Document saved_;
-  std::uint64_t saved_versions_ = 0;           ///< Session::versions_state
+  std::uint64_t saved_versions_ = 0;           ///< Versions::state
   bool has_thumbnail_ = false;                 ///< the working copy shows its solid
   std::unique_ptr<WorkingCopy> working_copy_;  ///< the disk's thread's while that one is busy
   QThreadPool disk_;  ///< one thread: commits wait for the disk, and pictures; the window doesn't

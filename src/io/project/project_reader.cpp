@@ -39,6 +39,23 @@ std::vector<std::uint8_t> png_of(const Statement& row, int column) {
   return {bytes.begin(), bytes.end()};
 }
 
+using KeptNodes = std::map<std::string, std::shared_ptr<const Node>>;  ///< by their hashes
+
+/// Of a row whose columns 1 and 2 are next_id and nodes; nothing where some node isn't there.
+std::optional<Document> document_of(const Statement& row, const KeptNodes& nodes) {
+  const std::string_view hashes = row.blob(2);
+  constexpr std::size_t size = 16;
+  std::vector<std::shared_ptr<const Node>> own;
+  std::set<NodeId> ids;
+  for (std::size_t at = 0; at + size <= hashes.size(); at += size) {
+    const auto node = nodes.find(std::string(hashes.substr(at, size)));
+    if (node == nodes.end() || !node->second || node->second->id == 0) return std::nullopt;
+    if (!ids.insert(node->second->id).second) return std::nullopt;
+    own.push_back(node->second);
+  }
+  return Document::of(std::move(own), from_row_id(row.integer(1)));
+}
+
 class ProjectReader {
  public:
   ProjectReader(Database& database, const std::string& file_name, Progress& progress, std::span<const ValueType> types)
@@ -223,23 +240,6 @@ class ProjectReader {
       if (!document) return damage_.lose("its version '" + printable(name) + "' can't be read");
       kept.versions.push_back({name, *document, png_of(row, 3)});
     });
-  }
-
-  using KeptNodes = std::map<std::string, std::shared_ptr<const Node>>;
-
-  /// Of a row whose columns 1 and 2 are next_id and nodes; nothing where some node isn't there.
-  static std::optional<Document> document_of(const Statement& row, const KeptNodes& nodes) {
-    const std::string_view hashes = row.blob(2);
-    constexpr std::size_t size = 16;
-    std::vector<std::shared_ptr<const Node>> own;
-    std::set<NodeId> ids;
-    for (std::size_t at = 0; at + size <= hashes.size(); at += size) {
-      const auto node = nodes.find(std::string(hashes.substr(at, size)));
-      if (node == nodes.end() || !node->second || node->second->id == 0) return std::nullopt;
-      if (!ids.insert(node->second->id).second) return std::nullopt;
-      own.push_back(node->second);
-    }
-    return Document::of(std::move(own), from_row_id(row.integer(1)));
   }
 
   /// Null where it can't be read.

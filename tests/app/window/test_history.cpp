@@ -79,7 +79,7 @@ class Mug : public StudioFixture {
 
 std::vector<std::string> names_of(const Session& session) {
   std::vector<std::string> names;
-  for (const Version& version : session.versions()) names.push_back(version.name);
+  for (const Version& version : session.versions.list()) names.push_back(version.name);
   return names;
 }
 
@@ -198,18 +198,18 @@ TEST_CASE("a version is shown by a click, as one step that undo takes back", "[h
 TEST_CASE("versions come with their project, and with what a crash left", "[history]") {
   Mug hand;
   hand.save_version("First");
-  REQUIRE(hand.wait_for([&] { return !hand.session().versions().front().picture_png.empty(); }));
+  REQUIRE(hand.wait_for([&] { return !hand.session().versions.list().front().picture_png.empty(); }));
   const QString path = hand.folder() + "/mug.croq";
   hand.window().files().save(path);
   CHECK(!hand.session().modified());
   const Document first = hand.session().document();
   hand.act("new");
-  CHECK(hand.session().versions().empty());
+  CHECK(hand.session().versions.list().empty());
   CHECK(hand.versions().isHidden());
   REQUIRE(hand.window().open(path));
   hand.settle();
   REQUIRE(names_of(hand.session()) == std::vector<std::string>{"First"});
-  CHECK(!hand.session().versions().front().picture_png.empty());
+  CHECK(!hand.session().versions.list().front().picture_png.empty());
   hand.set_level(3);
   hand.save_version("Second");
   CHECK(hand.session().modified());

@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTabletEvent>
 #include <QTabBar>
+#include <QTabletEvent>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include <QStyleOptionSlider>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <tuple>
 
 #include "app/files/mesh_export.h"
 #include "app/views/offscreen_pictures.h"
@@ -28,9 +29,30 @@ namespace {
 constexpr QSize step_picture(96, 72), version_icon(64, 48);
 constexpr std::size_t most_pictures = 200;
 constexpr int idle_ms = 400;  // nothing has happened for that long
-constexpr std::size_t compared_bytes = std::size_t{1} << 28;
 
 QString text_of(const Version& version) { return QString::fromStdString(version.name); }
+
+/// A name that is taken gets a number.
+QString free_version_name(const std::vector<Version>& versions, const QString& wanted, int except = -1) {
+  QStringList taken;
+  for (const Version& version : versions) taken << text_of(version);
+  if (except >= 0) taken.removeAt(except);
+  QString name = wanted.trimmed();
+  for (int number = 2; taken.contains(name); ++number) name = QString("%1 %2").arg(wanted.trimmed()).arg(number);
+  return name;
+}
+
+QListWidget* make_version_list() {
+  auto* list = new QListWidget;
+  list->setObjectName("versions");
+  list->setAccessibleName(HistoryTool::tr("Versions"));
+  list->setIconSize(version_icon);
+  list->setMinimumHeight(version_icon.height() + 8);
+  list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list->setToolTip(HistoryTool::tr("A version: click shows it, the right button what can be done"));
+  list->hide();
+  return list;
+}
 
 }  // namespace
 
@@ -83,14 +105,15 @@ void StepSlider::show_picture() {
   picture_->setVisible(!image.isNull());
 }
 
-HistoryTool::HistoryTool(ToolHost& host) : Tool(host), own_(host.studio().registry(), compared_bytes) {
+HistoryTool::HistoryTool(ToolHost& host) : Tool(host), comparison_(host) {
   pause_.setSingleShot(true);
   pause_.setInterval(idle_ms);
   connect(&pause_, &QTimer::timeout, this, &HistoryTool::take_picture);
   connect(&studio(), &Studio::loaded, this, [this] {
     pictures_.clear();
-    stop_comparing();
+    comparison_.stop();
   });
+  connect(&comparison_, &DocumentComparison::changed, this, [this] { emit changed(); });
 }
 
 void HistoryTool::make_actions(ActionList& actions) {
@@ -112,14 +135,7 @@ void HistoryTool::make_panels(PanelDocks& panels) {
     return place < history.size() ? picture(history[place].state) : QImage();
   });
   steps_ = new HistoryList;
-  versions_ = new QListWidget;
-  versions_->setObjectName("versions");
-  versions_->setAccessibleName(tr("Versions"));
-  versions_->setIconSize(version_icon);
-  versions_->setMinimumHeight(version_icon.height() + 8);
-  versions_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  versions_->setToolTip(tr("A version: click shows it, the right button what can be done"));
-  versions_->hide();
+  versions_ = make_version_list();
   QDockWidget* dock = panels.add_column(tr("History"), slider_, "history");
   panels.tabify("findings", dock);
   panels.keep_in_front(dock);
@@ -154,17 +170,18 @@ void HistoryTool::refresh() {
     if (!slider_->isSliderDown()) slider_->setValue(static_cast<int>(done.size()));
   }
   slider_->setEnabled(slider_->maximum() > 0);
-  if (std::exchange(versions_state_, session.versions_state()) != versions_state_) show_versions();
+  if (std::exchange(versions_state_, session.versions.state()) != versions_state_) show_versions();
   // Other arrangements of the views end it.
-  if (compared_ && host().views().layout.arrangement() != Arrangement::Compare) stop_comparing();
-  host().action("compare-version")->setChecked(compared_.has_value());
-  host().action("compare-version")->setEnabled(compared_ || !session.versions().empty() || session.can_undo());
+  if (host().views().layout.arrangement() != Arrangement::Compare) comparison_.stop();
+  QAction* compare = host().action("compare-version");
+  compare->setChecked(comparison_.shown());
+  compare->setEnabled(comparison_.shown() || versions_->count() > 0 || session.can_undo());
   host().action("save-version")->setEnabled(!session.document().nodes().empty());
 }
 
 void HistoryTool::follow(Change) {
   pause_.start();
-  make_sides();
+  comparison_.follow();
 }
 
 // ---- Steps
@@ -197,27 +214,27 @@ void HistoryTool::take_picture() {
   if (works || !host().shows_views() || pictures_.contains(state)) return;
   auto items = views.objects.surfaces();
   if (items.empty()) return;
-  picturing_.start(
-      [&pictures = host().pictures(), items = std::move(items)](Progress&) {
-        return pictures.draw_small(items, render::NamedView::Perspective, step_picture);
-      },
-      [this, state](const std::optional<QImage>& image) { keep_picture(state, image.value_or(QImage())); });
+  picturing_.start([&pictures = host().pictures(), items = std::move(items)](
+                       Progress&) { return pictures.draw_small(items, render::NamedView::Perspective, step_picture); },
+                   [this, state, document = studio().session().document()](const std::optional<QImage>& image) {
+                     keep_picture(state, document, image.value_or(QImage()));
+                   });
 }
 
 /// Also in versions of that document that were saved before.
-void HistoryTool::keep_picture(std::uint64_t state, const QImage& image) {
+void HistoryTool::keep_picture(std::uint64_t state, const Document& document, const QImage& image) {
   pictures_[state] = image;
   if (pictures_.size() > most_pictures) pictures_.erase(pictures_.begin());
-  Session& session = studio().session();
-  if (session.state() != state) return pause_.start();
-  std::vector<Version> versions = session.versions();
+  pause_.start();  // there may be another document by now
+  Versions& kept = studio().session().versions;
+  std::vector<Version> versions = kept.list();
   bool is_new = false;
   for (Version& version : versions) {
-    if (!version.picture_png.empty() || !same_nodes(version.document, session.document()) || image.isNull()) continue;
+    if (!version.picture_png.empty() || !same_nodes(version.document, document) || image.isNull()) continue;
     version.picture_png = png_bytes(image);
     is_new = true;
   }
-  if (is_new) session.set_versions(std::move(versions), true);
+  if (is_new) kept.set(std::move(versions), true);
 }
 
 // ---- Versions
@@ -226,7 +243,7 @@ void HistoryTool::show_versions() {
   const QSignalBlocker quiet(versions_);
   const int chosen = versions_->currentRow();
   versions_->clear();
-  for (const Version& version : studio().session().versions()) {
+  for (const Version& version : studio().session().versions.list()) {
     QPixmap picture(version_icon);
     picture.fill(Qt::transparent);
     if (!version.picture_png.empty())
@@ -252,23 +269,14 @@ void HistoryTool::show_menu(const QListWidget& list, const QPoint& at) {
   menu->popup(list.viewport()->mapToGlobal(at));
 }
 
-/// A name that is taken gets a number.
-QString HistoryTool::free_name(const QString& wanted, int except) const {
-  QStringList taken;
-  for (const Version& version : studio().session().versions()) taken << text_of(version);
-  if (except >= 0) taken.removeAt(except);
-  QString name = wanted.trimmed();
-  for (int number = 2; taken.contains(name); ++number) name = QString("%1 %2").arg(wanted.trimmed()).arg(number);
-  return name;
-}
-
 void HistoryTool::ask_name() {
+  const std::vector<Version>& versions = studio().session().versions.list();
   auto* dialog = new QInputDialog(host().views().widget.window());
   dialog->setObjectName("version-name");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Save version"));
   dialog->setLabelText(tr("Name of the model as it is now:"));
-  dialog->setTextValue(free_name(tr("Version %1").arg(studio().session().versions().size() + 1)));
+  dialog->setTextValue(free_version_name(versions, tr("Version %1").arg(versions.size() + 1)));
   connect(dialog, &QInputDialog::textValueSelected, this, &HistoryTool::save_version);
   dialog->open();
 }
@@ -276,83 +284,112 @@ void HistoryTool::ask_name() {
 void HistoryTool::save_version(const QString& name) {
   Session& session = studio().session();
   if (name.trimmed().isEmpty()) return host().say(tr("A version needs a name."));
-  std::vector<Version> versions = session.versions();
+  std::vector<Version> versions = session.versions.list();
   const QImage image = picture(session.state());
-  versions.push_back({free_name(name).toStdString(), session.document()});
+  versions.push_back({free_version_name(versions, name).toStdString(), session.document()});
   if (!image.isNull()) versions.back().picture_png = png_bytes(image);
-  session.set_versions(std::move(versions));
-  pause_.start();
+  session.versions.set(std::move(versions));
+  take_picture();
   host().say(tr("The version \"%1\" is saved. The panel History shows it again, and the project keeps it.")
-                 .arg(text_of(session.versions().back())));
+                 .arg(text_of(session.versions.list().back())));
 }
 
 void HistoryTool::show_version(int version) {
   app::abandon(host().views());
-  const Version shown = studio().session().versions()[static_cast<std::size_t>(version)];
+  const Version shown = studio().session().versions.list()[static_cast<std::size_t>(version)];
   studio().session().edit(tr("Version %1").arg(text_of(shown)).toStdString(), shown.document);
 }
 
 void HistoryTool::rename_version(int version, const QString& name) {
-  std::vector<Version> versions = studio().session().versions();
+  std::vector<Version> versions = studio().session().versions.list();
   if (version < 0 || static_cast<std::size_t>(version) >= versions.size()) return;
   std::string& own = versions[static_cast<std::size_t>(version)].name;
-  if (!name.trimmed().isEmpty()) own = free_name(name, version).toStdString();
-  studio().session().set_versions(std::move(versions));
+  if (!name.trimmed().isEmpty()) own = free_version_name(versions, name, version).toStdString();
+  studio().session().versions.set(std::move(versions));
 }
 
 void HistoryTool::delete_version(int version) {
-  std::vector<Version> versions = studio().session().versions();
+  std::vector<Version> versions = studio().session().versions.list();
   const QString question =
       tr("Delete the version \"%1\"? This can't be undone.").arg(text_of(versions[static_cast<std::size_t>(version)]));
   QWidget* window = host().views().widget.window();
   if (QMessageBox::question(window, tr("Delete version"), question) != QMessageBox::Yes) return;
   versions.erase(versions.begin() + version);
-  studio().session().set_versions(std::move(versions));
+  studio().session().versions.set(std::move(versions));
 }
 
 // ---- Two states beside each other
 
 /// Without a version it is the step before.
 void HistoryTool::toggle_comparing() {
-  if (compared_) return stop_comparing();
+  if (comparison_.shown()) return comparison_.stop();
   const int chosen = versions_->currentRow();
   compare(chosen < 0 ? versions_->count() - 1 : chosen, slider_->value() - 1);
 }
 
-/// With the present document, by the same camera.
 /// @param version -1: the step
 void HistoryTool::compare(int version, int step) {
   const Session& session = studio().session();
-  Views& views = host().views();
   if (version < 0 && step < 0) return;
-  if (QAction* schemes = host().action("compare"); schemes->isChecked()) schemes->trigger();
-  if (!compared_) layout_before_ = {views.layout.arrangement(), views.layout.alone()};
   if (version >= 0) {
-    const Version& chosen = session.versions()[static_cast<std::size_t>(version)];
-    compared_ = Compared{text_of(chosen), chosen.document, {}, {}};
+    const Version& chosen = session.versions.list()[static_cast<std::size_t>(version)];
+    comparison_.start(text_of(chosen), chosen.document);
   } else {
     const auto history = session.history();
-    compared_ = Compared{steps_->item(step)->text(), history[static_cast<std::size_t>(step)].document, {}, {}};
+    comparison_.start(steps_->item(step)->text(), history[static_cast<std::size_t>(step)].document);
   }
-  views.layout.arrange(Arrangement::Compare);
-  show_scene(views);
-  make_sides();
   host().refresh();
 }
 
-void HistoryTool::stop_comparing() {
-  if (!compared_) return;
-  compared_.reset();
-  comparing_.cancel();
-  PaneLayout& layout = host().views().layout;
+ViewUse HistoryTool::use_of(int view) const { return {.title = comparison_.title(view)}; }
+
+void HistoryTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
+  if (comparison_.shown() && view == ComparisonView) wanted.instead = comparison_.item();
+}
+
+void DocumentComparison::start(const QString& name, const Document& document) {
+  Views& views = host_.views();
+  // One of them has the second view.
+  if (QAction* schemes = host_.action("compare"); schemes->isChecked()) schemes->trigger();
+  if (!shown()) layout_before_ = {views.layout.arrangement(), views.layout.alone()};
+  name_ = name;
+  document_ = document;
+  made_ = false;
+  other_ = present_ = {};
+  views.layout.arrange(Arrangement::Compare);
+  show_scene(views);
+  follow();
+}
+
+void DocumentComparison::stop() {
+  if (!shown()) return;
+  name_.reset();
+  job_.cancel();
+  PaneLayout& layout = host_.views().layout;
   if (layout.arrangement() == Arrangement::Compare) layout.arrange(layout_before_.first, layout_before_.second);
-  host().action("compare-version")->setChecked(false);
+  host_.action("compare-version")->setChecked(false);
   emit changed();
 }
 
+void DocumentComparison::follow() {
+  const Document& now = host_.studio().session().document();
+  if (!shown() || host_.studio().busy() || (made_ && same_nodes(now_, now))) return;
+  now_ = now;
+  made_ = true;
+  job_.start(
+      [this, document = document_, now, &known = host_.studio()](Progress& progress) {
+        const Side other = side_of(document, known, own_, progress);
+        return std::pair(other, side_of(now, known, own_, progress));
+      },
+      [this](const std::optional<std::pair<Side, Side>>& sides) {
+        std::tie(other_, present_) = sides.value_or(std::pair<Side, Side>());
+        emit changed();
+      });
+}
+
 /// What a document shows, as one mesh.
-HistoryTool::Side HistoryTool::side_of(const Document& document, const Workspace& known, Evaluator& own,
-                                       Progress& progress) {
+DocumentComparison::Side DocumentComparison::side_of(const Document& document, const Workspace& known, Evaluator& own,
+                                                     Progress& progress) {
   std::vector<NamedMesh> meshes;
   for (const WorkObject& object : objects_of(document, known.registry())) {
     if (!object.visible) continue;
@@ -370,34 +407,14 @@ HistoryTool::Side HistoryTool::side_of(const Document& document, const Workspace
   return {render::make_mesh_item(whole, looks), inspect(whole, false, progress)};
 }
 
-void HistoryTool::make_sides() {
-  const Document& now = studio().session().document();
-  if (!compared_ || studio().busy() || (compared_->sides && same_nodes(compared_->now, now))) return;
-  compared_->now = now;
-  comparing_.start(
-      [this, document = compared_->document, now](Progress& progress) {
-        const Side other = side_of(document, studio(), own_, progress);
-        return std::pair(other, side_of(now, studio(), own_, progress));
-      },
-      [this](const std::optional<std::pair<Side, Side>>& sides) {
-        compared_->sides = sides.value_or(std::pair<Side, Side>());
-        emit changed();
-      });
-}
-
-ViewUse HistoryTool::use_of(int view) const {
-  if (!compared_ || (view != PerspectiveView && view != ComparisonView)) return {};
+QString DocumentComparison::title(int view) const {
+  if (!shown() || (view != PerspectiveView && view != ComparisonView)) return {};
   const bool other = view == ComparisonView;
-  const QString name = other ? compared_->name : tr("Now");
-  if (!compared_->sides) return {.title = name};
-  const auto& figures = other ? compared_->sides->first.figures : compared_->sides->second.figures;
-  const QString unit = QString::fromStdString(studio().unit());
-  return {.title = tr("%1: %2").arg(name, figures ? summary_of(*figures, unit) : tr("no faces"))};
-}
-
-void HistoryTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
-  if (!compared_ || view != ComparisonView) return;
-  wanted.instead = compared_->sides ? compared_->sides->first.item : nullptr;
+  const QString name = other ? *name_ : tr("Now");
+  if (busy() || !made_) return name;
+  const auto& figures = other ? other_.figures : present_.figures;
+  const QString unit = QString::fromStdString(host_.studio().unit());
+  return tr("%1: %2").arg(name, figures ? summary_of(*figures, unit) : tr("no faces"));
 }
 
 }  // namespace croquis::app

@@ -41,6 +41,44 @@ class StepSlider : public QSlider {
   QLabel* picture_ = nullptr;  ///< over whatever lies above
 };
 
+/// Another document beside the present one, with the same camera, and both with their numbers.
+class DocumentComparison : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit DocumentComparison(ToolHost& host) : host_(host), own_(host.studio().registry(), std::size_t{1} << 28) {}
+
+  bool shown() const { return name_.has_value(); }
+  bool busy() const { return job_.runs(); }
+  void start(const QString& name, const Document& document);
+  void stop();
+
+  /// The present document is another one, or its results have come.
+  void follow();
+
+  QString title(int view) const;                                   ///< empty for other views
+  const render::MeshItemPtr& item() const { return other_.item; }  ///< of the other document
+
+ signals:
+  void changed();
+
+ private:
+  struct Side {
+    render::MeshItemPtr item;           ///< null without faces
+    std::optional<MeshReport> figures;  ///< of all that it shows
+  };
+  static Side side_of(const Document& document, const Workspace& known, Evaluator& own, Progress& progress);
+
+  ToolHost& host_;
+  std::optional<QString> name_;  ///< while it is shown
+  Document document_, now_;
+  Side other_, present_;
+  bool made_ = false;                          ///< both sides are, of now_
+  std::pair<Arrangement, int> layout_before_;  ///< with the view that was alone
+  Evaluator own_;      ///< computes what isn't known: the studio's last good results stay those of its document
+  BackgroundJob job_;  ///< last: it uses the above
+};
+
 /// What was: the steps of the history with pictures, versions that people save under names, and two states of the model
 /// beside each other.
 class HistoryTool final : public Tool {
@@ -54,30 +92,18 @@ class HistoryTool final : public Tool {
   void refresh() override;
   void follow(Change change) override;
   ViewUse use_of(int view) const override;
-  ToolState state() const override { return {.busy = comparing_.runs()}; }
+  ToolState state() const override { return {.busy = comparison_.busy()}; }
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
 
   /// Of a document of the history, by Session::state; null where none was taken.
   QImage picture(std::uint64_t state) const;
 
  private:
-  /// One of two documents that are compared.
-  struct Side {
-    render::MeshItemPtr item;           ///< null without faces
-    std::optional<MeshReport> figures;  ///< of all that it shows
-  };
-  struct Compared {
-    QString name;
-    Document document, now;
-    std::optional<std::pair<Side, Side>> sides;  ///< of both, as soon as they are made
-  };
-
   void go_to(int step, bool dragging);
   void take_picture();
-  void keep_picture(std::uint64_t state, const QImage& image);
+  void keep_picture(std::uint64_t state, const Document& document, const QImage& image);
   void show_versions();
   void show_menu(const QListWidget& list, const QPoint& at);
-  QString free_name(const QString& wanted, int except = -1) const;
   void ask_name();
   void save_version(const QString& name);
   void show_version(int version);
@@ -85,20 +111,15 @@ class HistoryTool final : public Tool {
   void delete_version(int version);
   void compare(int version, int step);
   void toggle_comparing();
-  void stop_comparing();
-  void make_sides();
-  static Side side_of(const Document& document, const Workspace& known, Evaluator& own, Progress& progress);
 
   StepSlider* slider_ = nullptr;
   HistoryList* steps_ = nullptr;
   QListWidget* versions_ = nullptr;
-  std::uint64_t versions_state_ = 0;          ///< Session::versions_state of those that are shown
+  std::uint64_t versions_state_ = 0;          ///< Versions::state of those that are shown
   std::map<std::uint64_t, QImage> pictures_;  ///< a null image where none can be taken
   QTimer pause_;                              ///< after it a picture is taken
-  std::optional<Compared> compared_;
-  std::pair<Arrangement, int> layout_before_;  ///< of comparing, with the view that was alone
-  Evaluator own_;  ///< computes what is compared: the studio's last good results stay those of its document
-  BackgroundJob picturing_, comparing_;  ///< last: they use the above
+  DocumentComparison comparison_;
+  BackgroundJob picturing_;  ///< last: it uses the above
 };
 
 }  // namespace croquis::app
