@@ -96,6 +96,18 @@
         <translation>비율 유지</translation>
     </message>
     <message>
+        <source>Position</source>
+        <translation>위치</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
         <source>Where the middle of its box is: x, y, z</source>
         <translation>경계 상자의 중심 위치: x, y, z</translation>
     </message>
@@ -112,20 +124,12 @@
         <translation>한 축의 크기를 바꾸면 다른 축도 같은 비율로 바뀝니다</translation>
     </message>
     <message>
-        <source>Position</source>
-        <translation>위치</translation>
-    </message>
-    <message>
         <source>Position, %1</source>
         <translation>위치, %1</translation>
     </message>
     <message>
         <source>Rotation, °</source>
         <translation>회전, °</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>크기</translation>
     </message>
     <message>
         <source>Size, %1</source>
@@ -222,6 +226,10 @@
     <message>
         <source>Mesh</source>
         <translation>메쉬</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>시작 페이지</translation>
     </message>
     <message>
         <source>Start from a sketch</source>
@@ -364,6 +372,14 @@
         <translation>이미지를 드래그하면 이동, 모서리를 드래그하면 크기 조절 · D: 그리기 · Q: 선택</translation>
     </message>
     <message>
+        <source>Versions</source>
+        <translation>버전</translation>
+    </message>
+    <message>
+        <source>A version: click shows it, the right button what can be done</source>
+        <translation>버전: 클릭하면 표시하고, 오른쪽 버튼으로 할 수 있는 일을 봅니다</translation>
+    </message>
+    <message>
         <source>Steps of the history</source>
         <translation>작업 내역의 단계</translation>
     </message>
@@ -378,14 +394,6 @@
     <message>
         <source>Compare with the chosen version</source>
         <translation>선택한 버전과 비교</translation>
-    </message>
-    <message>
-        <source>Versions</source>
-        <translation>버전</translation>
-    </message>
-    <message>
-        <source>A version: click shows it, the right button what can be done</source>
-        <translation>버전: 클릭하면 표시하고, 오른쪽 버튼으로 할 수 있는 일을 봅니다</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -1618,6 +1626,10 @@
     <message>
         <source>%1 px</source>
         <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>선 목록</translation>
     </message>
     <message>
         <source>Line</source>
@@ -2962,10 +2974,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Import…</source>
         <translation>가져오기…</translation>
-    </message>
-    <message>
-        <source>Start page</source>
-        <translation>시작 페이지</translation>
     </message>
     <message>
         <source>Save</source>
