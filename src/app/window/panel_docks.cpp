@@ -72,8 +72,8 @@ void PanelDocks::show_tool_panel(QDockWidget* dock, bool useful, int width) {
   const bool was_shown = !dock->isHidden();
   panel->in_front = true;
   set_useful(dock, useful);
-  if (was_shown || dock->isHidden()) return;
-  dock->raise();
+  if (dock->isHidden()) return;
+  if (!was_shown) dock->raise();
   if (room_given_ || roomy_.contains(dock)) return;
   roomy_ << dock;
   constexpr int most = 600, least = 80;

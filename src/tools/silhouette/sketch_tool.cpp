@@ -61,6 +61,14 @@ std::string setting_label(const recorded::StrokeReading& setting) {
   return "Set thickness of " + stroke;
 }
 
+DrawingEdit setting_edit(const Drawing& drawing, const recorded::StrokeReading& setting) {
+  const std::string& id = setting.stroke;
+  if (setting.kind) return set_kind(drawing, id, *setting.kind);
+  if (setting.in_front_of) return set_in_front(drawing, id, *setting.in_front_of);
+  if (setting.title) return set_title(drawing, id, *setting.title);
+  return set_thickness(drawing, id, setting.thickness.value_or(1));
+}
+
 std::vector<std::string> modifier_names(const Modifiers& modifiers) {
   std::vector<std::string> names;
   if (modifiers.shift) names.emplace_back("shift");
@@ -328,11 +336,7 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   const auto before = drawing();
   const Drawing none;
   const Drawing& now = before ? *before : none;
-  const std::string& id = setting.stroke;
-  DrawingEdit edit = setting.kind          ? set_kind(now, id, *setting.kind)
-                     : setting.in_front_of ? set_in_front(now, id, *setting.in_front_of)
-                     : setting.title       ? set_title(now, id, *setting.title)
-                                           : set_thickness(now, id, setting.thickness.value_or(1));
+  DrawingEdit edit = setting_edit(now, setting);
   if (!dragging && !goes_on) return commit(SketchChange{std::move(edit), setting_label(setting), setting});
   if (!goes_on) drag_.begin(setting_label(setting));
   drag_.to(with_edit(session_.document(), node(), edit, options_));

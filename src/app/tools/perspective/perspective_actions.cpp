@@ -11,6 +11,7 @@
 #include "app/tools/perspective/sheet.h"
 #include "app/views/marking_menu.h"
 #include "app/views/viewport.h"
+#include "app/window/theme.h"
 #include "croquis/tools/perspective/sheet_units.h"
 
 namespace croquis::app {
@@ -25,7 +26,7 @@ QIcon group_icon(StrokeGroup group) {
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(group_color(group));
-  painter.setPen(QPen(QColor(20, 20, 22), 1));
+  painter.setPen(QPen(colors::guide, 1));  // differs from light and dark menus
   if (is_parallel(group))
     painter.drawEllipse(2, 2, 12, 12);
   else
