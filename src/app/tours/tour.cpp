@@ -41,8 +41,18 @@ TourStep tour_step(const QJsonObject& object, const QString& file) {
     step.until.push_back(*expected);
   }
   const QJsonArray at = object["at"].toArray();
-  if (at.size() == 3) step.at = Vec3(at[0].toDouble(), at[1].toDouble(), at[2].toDouble());
+  if (object.contains("at") && at.size() != 3) refuse_tour(file, "\"at\" is three numbers");
+  if (!at.isEmpty()) step.at = Vec3(at[0].toDouble(), at[1].toDouble(), at[2].toDouble());
   return step;
+}
+
+QJsonDocument read_tour(const QString& name) {
+  QFile file(tours_folder + name + ".json");
+  if (!file.open(QIODevice::ReadOnly)) refuse_tour(file.fileName(), "there is no such tour");
+  QJsonParseError error;
+  const QJsonDocument json = QJsonDocument::fromJson(file.readAll(), &error);
+  if (error.error != QJsonParseError::NoError) refuse_tour(file.fileName(), error.errorString());
+  return json;
 }
 
 }  // namespace
@@ -53,18 +63,16 @@ QStringList tour_names() {
   return names;
 }
 
+QString tour_title(const QString& name) { return read_tour(name)["title"].toString(); }
+
 Tour load_tour(const QString& name) {
-  QFile file(tours_folder + name + ".json");
-  if (!file.open(QIODevice::ReadOnly)) refuse_tour(file.fileName(), "there is no such tour");
-  QJsonParseError error;
-  const QJsonDocument json = QJsonDocument::fromJson(file.readAll(), &error);
-  if (error.error != QJsonParseError::NoError) refuse_tour(file.fileName(), error.errorString());
+  const QString file = tours_folder + name + ".json";
+  const QJsonDocument json = read_tour(name);
   Tour tour{json["title"].toString(), json["action"].toString(), json["sample"].toString(), {}, json["end"].toString()};
   if (tour.title.isEmpty() || tour.end.isEmpty() || tour.action.isEmpty() == tour.sample.isEmpty())
-    refuse_tour(file.fileName(), "a tour has a title, an end, and an action or a sample that it begins with");
-  for (const QJsonValue each : json["steps"].toArray())
-    tour.steps.push_back(tour_step(each.toObject(), file.fileName()));
-  if (tour.steps.empty()) refuse_tour(file.fileName(), "a tour has steps");
+    refuse_tour(file, "a tour has a title, an end, and an action or a sample that it begins with");
+  for (const QJsonValue each : json["steps"].toArray()) tour.steps.push_back(tour_step(each.toObject(), file));
+  if (tour.steps.empty()) refuse_tour(file, "a tour has steps");
   return tour;
 }
 

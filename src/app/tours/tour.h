@@ -31,6 +31,9 @@ struct Tour {
 /// Their names, in the order of the menu.
 QStringList tour_names();
 
+/// English. The steps aren't read, which menus have no use for. @throws Error (E_SYNTAX) as load_tour
+QString tour_title(const QString& name);
+
 /// @throws Error (E_SYNTAX, E_REPLAY) naming the file and what is wrong in it
 Tour load_tour(const QString& name);
 

@@ -231,7 +231,7 @@ void start_tour(MainWindow& window, const QString& name) {
 void add_tour_actions(MainWindow& window, QMenu* menu) {
   for (const QString& name : tour_names()) {
     window.parts().actions->add(
-        menu, "help-tour-" + name, shown_text(load_tour(name).title.toStdString()), {},
+        menu, "help-tour-" + name, shown_text(tour_title(name).toStdString()), {},
         [&window, name] { start_tour(window, name); }, Recorded::ByItself);
   }
 }

@@ -16,12 +16,10 @@ constexpr int font_pixels = 11;
 constexpr QColor legend_ink(60, 66, 76);
 constexpr QColor card_color(255, 255, 255, 190);
 
-/// The language may have changed since the text was made.
-QString now_shown(const QString& text) { return shown_text(english_of(text).toStdString()); }
-
 }  // namespace
 
-Legend::Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, std::vector<Row> rows)
+Legend::Legend(QWidget* views, const QString& name, const std::string& title, const QString& meaning,
+               std::vector<Row> rows)
     : QWidget(views), title_(title), rows_(std::move(rows)) {
   setObjectName(name);
   setAccessibleName(meaning);
@@ -40,13 +38,13 @@ void Legend::paintEvent(QPaintEvent*) {
   font.setPixelSize(font_pixels);
   painter.setFont(font);
   painter.setPen(legend_ink);
-  painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, now_shown(title_));
+  painter.drawText(QRect(8, card_margin, width() - 8, row_height), Qt::AlignVCenter, shown_text(title_));
   int y = card_margin;
   for (const Row& row : rows_) {
     y += row_height;
     row.draw(painter, y);
     painter.setPen(legend_ink);
-    painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, now_shown(row.label));
+    painter.drawText(QRect(text_left, y, width() - text_left, row_height), Qt::AlignVCenter, shown_text(row.label));
   }
 }
 

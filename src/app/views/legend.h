@@ -14,19 +14,20 @@ class Legend : public QWidget {
   static constexpr int row_height = 16;
 
   struct Row {
-    QString label;
+    std::string label;                                   ///< English: it is shown in the language in use
     std::function<void(QPainter& painter, int y)> draw;  ///< left of the label; y is the row's top
   };
 
+  /// @param title   English
   /// @param meaning what it shows, for people who don't see it
   /// @param rows from above
-  Legend(QWidget* views, const QString& name, const QString& title, const QString& meaning, std::vector<Row> rows);
+  Legend(QWidget* views, const QString& name, const std::string& title, const QString& meaning, std::vector<Row> rows);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QString title_;
+  std::string title_;
   std::vector<Row> rows_;
 };
 

@@ -248,7 +248,8 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
   connect(&parts_.studio, &Studio::loaded, this, [this] {
     // What begins a document belongs to it.
     auto& steps = parts_.steps;
-    const bool begins = !steps.empty() && steps.back().find("\"name\":\"new") != std::string::npos;
+    const auto* last = steps.empty() ? nullptr : steps.back().as<recorded::Action>();
+    const bool begins = last != nullptr && last->name.starts_with("new");
     steps.erase(steps.begin(), steps.end() - (begins ? 1 : 0));
   });
   follow_files(*this);
@@ -334,7 +335,7 @@ void MainWindow::record_to(const QString& path) {
 
 void MainWindow::record(const recorded::Step& step) {
   if (parts_.recorder) parts_.recorder->add(step);
-  parts_.steps.push_back(recorded::to_line(step));
+  parts_.steps.push_back(step);
   if (parts_.steps.size() > most_steps) parts_.steps.pop_front();
   emit step_recorded(step);
 }

@@ -47,15 +47,15 @@ struct WindowParts {
   std::unique_ptr<ActionList> actions;
   std::vector<std::unique_ptr<Tool>> tools;
   std::optional<recorded::Recorder> recorder;
-  std::deque<std::string> steps;  ///< the newest lines of a recording of what was done since a document was opened
-  Findings last_findings;         ///< the last errors that were shown
-  bool unattended = false;        ///< changes are discarded without a question
-  std::string export_unit;        ///< of exported meshes; empty: as in the document
-  QString folder;                 ///< that people last opened a file of, or wrote one to
-  bool has_shown_views = false;   ///< there is a document behind the start page
-  QByteArray views_layout;        ///< QMainWindow::saveState when the views were last left
-  bool panels_sized = false;      ///< people's own sizes are kept
-  bool keeps_layout = false;      ///< for the next time
+  std::deque<recorded::Step> steps;  ///< the newest ones of what was done since a document was opened
+  Findings last_findings;            ///< the last errors that were shown
+  bool unattended = false;           ///< changes are discarded without a question
+  std::string export_unit;           ///< of exported meshes; empty: as in the document
+  QString folder;                    ///< that people last opened a file of, or wrote one to
+  bool has_shown_views = false;      ///< there is a document behind the start page
+  QByteArray views_layout;           ///< QMainWindow::saveState when the views were last left
+  bool panels_sized = false;         ///< people's own sizes are kept
+  bool keeps_layout = false;         ///< for the next time
 };
 
 /// The studio's window: views in the middle, tools left, panels right, the next action in words below.

@@ -140,7 +140,7 @@ void PanelDocks::show_all(bool shown) {
   shown_ = shown;
   for (const Panel& panel : panels_) apply(panel);
   for (const Panel& panel : panels_) {
-    if (panel.in_front && !panel.dock->isHidden()) panel.dock->raise();
+    if (panel.in_front && !room_given_ && !panel.dock->isHidden()) panel.dock->raise();
   }
 }
 

@@ -39,7 +39,7 @@ class PanelDocks : public QObject {
   /// The panel of that name, or null.
   QDockWidget* find(const QString& name) const;
 
-  /// Of the panels that share its place, it is the one in front whenever the views appear.
+  /// Of the panels that share its place, it is the one in front when the views appear, until people keep a layout.
   void keep_in_front(QDockWidget* dock);
 
   /// The panel of a tool, which shares a place with others: it comes to the front when there begins to be something to

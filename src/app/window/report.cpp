@@ -107,7 +107,8 @@ QJsonObject report_of(MainWindow& window, const ReportParts& parts) {
                      {"stalls", to_json(window.parts().stalls.longest())}};
   if (parts.steps) {
     QJsonArray steps;
-    for (const std::string& line : window.parts().steps) steps.append(QString::fromStdString(line));
+    for (const recorded::Step& step : window.parts().steps)
+      steps.append(QString::fromStdString(recorded::to_line(step)));
     report["steps"] = steps;
   }
   if (parts.document) report["document"] = project_of(window.studio().session().document());

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QHash>
 #include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
@@ -14,6 +15,7 @@
 #include <QWidget>
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace croquis::app {
 namespace {
@@ -70,20 +72,28 @@ QByteArray in_theme_colors(QByteArray svg, bool selected) {
   return svg;
 }
 
+/// Read once for each theme: lists draw their icons in every row.
+QSvgRenderer& renderer_of(const QString& file, bool selected) {
+  static QHash<QString, std::shared_ptr<QSvgRenderer>> read;
+  auto& renderer = read[file + (selected ? "/selected/" : "/") + theme_in_use->first];
+  if (renderer) return *renderer;
+  QFile svg(file);
+  renderer = std::make_shared<QSvgRenderer>(svg.open(QIODevice::ReadOnly) ? in_theme_colors(svg.readAll(), selected)
+                                                                          : QByteArray());
+  return *renderer;
+}
+
 /// An icon that follows the theme: it is drawn anew whenever it is shown.
 class ThemeIcon : public QIconEngine {
  public:
   explicit ThemeIcon(const QString& file) : file_(file) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-    QFile file(file_);
-    if (!file.open(QIODevice::ReadOnly)) return;
-    QSvgRenderer renderer(in_theme_colors(file.readAll(), mode == QIcon::Selected));
     constexpr double disabled_strength = 0.4;
     if (mode == QIcon::Disabled) painter->setOpacity(disabled_strength * painter->opacity());
     const double side = std::min(rect.width(), rect.height());
     const QPointF corner = QRectF(rect).center() - QPointF(side, side) / 2;
-    renderer.render(painter, QRectF(corner, QSizeF(side, side)));
+    renderer_of(file_, mode == QIcon::Selected).render(painter, QRectF(corner, QSizeF(side, side)));
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
     QPixmap picture(size);

@@ -8,6 +8,7 @@
 #include <QProcess>
 #include <QScreen>
 #include <QSettings>
+#include <QTabBar>
 #include <QTest>
 #include <algorithm>
 #include <array>
@@ -221,6 +222,31 @@ TEST_CASE("the program keeps its layout when its window is closed, and opens wit
   REQUIRE(second.wait_for_window());
   CHECK(second.window_size() == size);
   CHECK(second.close_window());
+}
+
+TEST_CASE("the panel that people brought to the front is there when the window opens again", "[window-layout]") {
+  QSettings().clear();
+  const QTemporaryDir folder;
+  const auto is_in_front = [](const app::MainWindow& window, const QString& title) {
+    for (const QTabBar* bar : window.findChildren<QTabBar*>()) {
+      if (bar->isVisible() && bar->tabText(bar->currentIndex()) == title) return true;
+    }
+    return false;
+  };
+  for (const bool first : {true, false}) {
+    app::MainWindow window(folder.path());
+    window.set_unattended();
+    app::remember_layout(window);
+    window.show();
+    REQUIRE(QTest::qWaitForWindowExposed(&window));
+    window.start_with();
+    QApplication::processEvents();
+    CHECK(is_in_front(window, first ? "History" : "Findings"));
+    window.findChild<QDockWidget*>("findings-dock")->raise();
+    QApplication::processEvents();
+    window.close();
+  }
+  QSettings().clear();
 }
 
 TEST_CASE("closed panels come back by the menu Window", "[window-layout]") {

@@ -66,12 +66,12 @@ Legend* make_confidence_legend(QWidget* views) {
   std::vector<Legend::Row> rows;
   for (const render::ValueSample& sample : render::value_legend()) {
     const QColor color(sample.color.r, sample.color.g, sample.color.b);
-    rows.push_back({QString::fromStdString(sample.label), [color](QPainter& painter, int y) {
+    rows.push_back({sample.label, [color](QPainter& painter, int y) {
                       painter.fillRect(QRect(10, y, 22, Legend::row_height), color);
                     }});
   }
   std::ranges::reverse(rows);
-  return new Legend(views, "confidence-legend", HoleFillingTool::tr("Confidence"),
+  return new Legend(views, "confidence-legend", QT_TR_NOOP("Confidence"),
                     HoleFillingTool::tr("Colours of patches by confidence"), std::move(rows));
 }
 

@@ -31,13 +31,13 @@ Legend* make_sharpness_legend(QWidget* views) {
   for (const render::SharpnessSample& sample : render::sharpness_legend()) {
     const QPen pen(QColor(sample.color.r, sample.color.g, sample.color.b), render::sharpness_width(sample.sharpness),
                    Qt::SolidLine, Qt::RoundCap);
-    rows.push_back({QString::fromStdString(sample.label), [pen](QPainter& painter, int y) {
+    rows.push_back({sample.label, [pen](QPainter& painter, int y) {
                       painter.setPen(pen);
                       const double middle = y + Legend::row_height / 2.0;
                       painter.drawLine(QPointF(10, middle), QPointF(32, middle));
                     }});
   }
-  return new Legend(views, "sharpness-legend", MeshEditingTool::tr("Sharpness"),
+  return new Legend(views, "sharpness-legend", QT_TR_NOOP("Sharpness"),
                     MeshEditingTool::tr("Colours of tagged edges by sharpness"), std::move(rows));
 }
 
