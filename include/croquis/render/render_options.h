@@ -35,7 +35,7 @@ struct AxisCrossOptions {
   double size = 34;  ///< length of an axis in pixels
   /// Unit directions of x, y and z in the model: of an object that stands upright in it, its own.
   std::array<glm::dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  /// Red, green, blue; distinct for eyes that don't tell red from green, too.
+  /// Red, green, blue; people who are blind to red and green see three colors, too.
   std::array<Color, 3> colors = {{{196, 40, 36, 255}, {30, 140, 70, 255}, {44, 92, 200, 255}}};
   std::array<DashPattern, 3> dashes = {{{}, {7, 3, 0, 0}, {2.5F, 2.5F, 0, 0}}};
 
