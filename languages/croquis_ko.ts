@@ -200,6 +200,10 @@
         <translation>그룹: 오브젝트가 함께 선택되고 이동합니다 · Ctrl+Shift+G: 그룹 해제</translation>
     </message>
     <message>
+        <source>What you draw or open is listed here.</source>
+        <translation>그리거나 연 것이 여기에 나열됩니다.</translation>
+    </message>
+    <message>
         <source>%1 faces</source>
         <translation>페이스 %1개</translation>
     </message>
@@ -1885,7 +1889,7 @@
     </message>
     <message>
         <source>Chain</source>
-        <translation>체인</translation>
+        <translation>사슬</translation>
     </message>
     <message>
         <source>Closed</source>
@@ -2000,8 +2004,8 @@
         <translation> (균일 %1×)</translation>
     </message>
     <message>
-        <source>Dent of %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)</source>
-        <translation>%1의 함몰: 어긋남 %2 (균일 %3), 길이가 너비의 %4배 (균일 %5)</translation>
+        <source>Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)</source>
+        <translation>포인트 %1의 함몰: 어긋남 %2 (균일 %3), 길이가 너비의 %4배 (균일 %5)</translation>
     </message>
     <message>
         <source>Mirror across %1 = 0</source>
@@ -2258,10 +2262,6 @@
     <message>
         <source>Fullness</source>
         <translation>볼륨감</translation>
-    </message>
-    <message>
-        <source>by the curves' lengths</source>
-        <translation>커브 길이 기준</translation>
     </message>
     <message>
         <source>The plane polygon that a patch is a map of</source>
@@ -3092,6 +3092,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>기본 레이아웃 복원</translation>
     </message>
     <message>
+        <source>Numbers of what is selected can be changed here.</source>
+        <translation>선택한 것의 값을 여기에서 바꿀 수 있습니다.</translation>
+    </message>
+    <message>
         <source>Sketch a character</source>
         <translation>캐릭터 스케치</translation>
     </message>
@@ -3250,6 +3254,122 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>The scan is closed, and what was scanned stays untouched. Choose another method or bulge in the panel Holes, then export the mesh.</source>
         <translation>구멍이 메워졌고, 스캔된 부분은 그대로입니다. 구멍 패널에서 방법이나 볼록함을 바꾼 뒤 메쉬를 내보내세요.</translation>
+    </message>
+    <message>
+        <source>Borromean</source>
+        <translation>보로메오 고리</translation>
+    </message>
+    <message>
+        <source>Dog</source>
+        <translation>개</translation>
+    </message>
+    <message>
+        <source>Duck</source>
+        <translation>오리</translation>
+    </message>
+    <message>
+        <source>Knot 3 4</source>
+        <translation>매듭 3 4</translation>
+    </message>
+    <message>
+        <source>Linked rings</source>
+        <translation>얽힌 고리</translation>
+    </message>
+    <message>
+        <source>Noisy trefoil</source>
+        <translation>거친 세잎매듭</translation>
+    </message>
+    <message>
+        <source>Octopus</source>
+        <translation>문어</translation>
+    </message>
+    <message>
+        <source>Ring and bar</source>
+        <translation>고리와 막대</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>뱀</translation>
+    </message>
+    <message>
+        <source>Trefoil</source>
+        <translation>세잎매듭</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>엮기</translation>
+    </message>
+    <message>
+        <source>Bolt</source>
+        <translation>볼트</translation>
+    </message>
+    <message>
+        <source>Bolt open chain</source>
+        <translation>볼트, 열린 체인</translation>
+    </message>
+    <message>
+        <source>Bolt pinned square</source>
+        <translation>볼트, 고정된 사각형</translation>
+    </message>
+    <message>
+        <source>Cube corner</source>
+        <translation>큐브 모서리</translation>
+    </message>
+    <message>
+        <source>Hex bolt</source>
+        <translation>육각 볼트</translation>
+    </message>
+    <message>
+        <source>L bracket</source>
+        <translation>L자 브래킷</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>머그컵</translation>
+    </message>
+    <message>
+        <source>Pumpkin scan</source>
+        <translation>호박 스캔</translation>
+    </message>
+    <message>
+        <source>Bonnet</source>
+        <translation>보닛</translation>
+    </message>
+    <message>
+        <source>Bowl</source>
+        <translation>그릇</translation>
+    </message>
+    <message>
+        <source>Car crashed</source>
+        <translation>찌그러진 자동차</translation>
+    </message>
+    <message>
+        <source>Car intact</source>
+        <translation>온전한 자동차</translation>
+    </message>
+    <message>
+        <source>Chair</source>
+        <translation>의자</translation>
+    </message>
+    <message>
+        <source>Dinghy</source>
+        <translation>소형 보트</translation>
+    </message>
+    <message>
+        <source>Kettle</source>
+        <translation>주전자</translation>
+    </message>
+    <message>
+        <source>Pocket5</source>
+        <translation>포켓 5</translation>
+    </message>
+    <message>
+        <source>Sail</source>
+        <translation>돛</translation>
+    </message>
+    <message>
+        <source>Tri point</source>
+        <translation>삼각 포인트</translation>
     </message>
     <message>
         <source>Solid</source>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "croquis/mesh_editing/mesh_selection.h"
+#include "support/meshes/cages.h"
 #include "support/meshes/mesh_shapes.h"
 #include "support/random.h"
 
@@ -73,6 +75,24 @@ TEST_CASE("loops end where other than four edges meet, and follow the rim") {
   CHECK(edge_loop(topology, column[1]) == column);
   CHECK_FALSE(closes(topology, edge_loop(topology, column[1], true)));
   CHECK(edge_ring(topology, column[1]).size() == 5);
+}
+
+TEST_CASE("a loop goes around the face that closes a tube") {
+  for (const Index sides : {5U, 6U, 12U}) {
+    const PolyMesh prism = test::ring_stack(sides, std::array{test::Ring{1, 1}, test::Ring{1, 0}});
+    const MeshTopology topology(prism);
+    std::size_t around = 0;
+    for (Index edge = 0; edge < topology.edge_count(); ++edge) {
+      const auto [a, b] = topology.edge_vertices(edge);
+      const bool upright = a / sides != b / sides;
+      const Elements loop = edge_loop(topology, edge);
+      CHECK(loop.size() == (upright ? 1 : sides));
+      CHECK(closes(topology, edge_loop(topology, edge, true)) != upright);
+      for (const Index other : loop) CHECK(edge_loop(topology, other) == loop);
+      around += upright ? 0 : 1;
+    }
+    CHECK(around == 2 * sides);
+  }
 }
 
 TEST_CASE("an ordered loop is a walk") {

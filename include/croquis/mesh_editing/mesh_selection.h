@@ -29,8 +29,9 @@ Elements inverted(std::span<const Index> sorted, std::size_t count);
 
 // ---- Lines of edges
 
-/// Edges in a row from an edge both ways: straight on through inner vertices of four edges, along the rim through rim
-/// vertices that join two rim edges; ends elsewhere.
+/// Edges in a row from an edge both ways: straight on through inner vertices of four edges, around a face of more than
+/// four sides through vertices of three (the cap of a cylinder), along the rim through rim vertices that join two rim
+/// edges; ends elsewhere.
 /// @param ordered false: sorted; true: in the order of the row (the last one meets the first when it closes)
 Elements edge_loop(const MeshTopology& topology, Index edge, bool ordered = false);
 

@@ -45,6 +45,29 @@ bool extend_ring(const MeshTopology& topology, Index corner, EdgeRing& ring, std
   return false;
 }
 
+/// The corner that starts an edge in its only face of more than four sides, or no_index.
+Index corner_in_cap(const MeshTopology& topology, Index edge) {
+  Index cap = no_index;
+  for (const Index corner : topology.edge_corners(edge)) {
+    int sides = 1;
+    for (Index at = topology.next(corner); at != corner; at = topology.next(at)) ++sides;
+    if (sides <= 4) continue;
+    if (cap != no_index) return no_index;
+    cap = corner;
+  }
+  return cap;
+}
+
+/// Around a polygon that closes a tube, where three edges meet.
+Index along_cap(const MeshTopology& topology, Index edge, Index vertex) {
+  const Index corner = corner_in_cap(topology, edge);
+  if (corner == no_index) return no_index;
+  const bool starts = topology.vertex(corner) == vertex;
+  const Index other = topology.edge(starts ? topology.previous(corner) : topology.next(corner));
+  const Index beyond = other == no_index ? no_index : corner_in_cap(topology, other);
+  return beyond != no_index && topology.face(beyond) == topology.face(corner) ? other : no_index;
+}
+
 }  // namespace
 
 Index other_end(const MeshTopology& topology, Index edge, Index vertex) {
@@ -67,6 +90,7 @@ Index straight_on(const MeshTopology& topology, Index edge, Index vertex) {
   const Elements edges = edges_at(topology, vertex);
   const auto rims =
       std::count_if(edges.begin(), edges.end(), [&](Index other) { return is_rim_edge(topology, other); });
+  if (rims == 0 && edges.size() == 3) return along_cap(topology, edge, vertex);
   if (rims == 0 && edges.size() != 4) return no_index;
   if (rims != 0 && !is_rim_edge(topology, edge)) return no_index;
   for (const Index other : edges) {

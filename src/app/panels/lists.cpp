@@ -48,6 +48,13 @@ QStringList to_list(const std::vector<std::string>& texts) {
   return list;
 }
 
+/// What belongs into a list that is empty.
+void draw_hint(QWidget& list, const QString& text) {
+  QPainter painter(&list);
+  painter.setPen(list.palette().color(QPalette::PlaceholderText));
+  painter.drawText(list.rect().adjusted(6, 6, -6, -6), Qt::AlignTop | Qt::TextWordWrap, text);
+}
+
 bool is_selected(const Selection& selection, NodeId node) {
   return std::ranges::binary_search(selection, SelectedItem{node, ""});
 }
@@ -91,11 +98,7 @@ void FindingsList::show_findings(const std::vector<NodeFinding>& findings,
 
 void FindingsList::paintEvent(QPaintEvent* event) {
   QListWidget::paintEvent(event);
-  if (count() > 0) return;
-  QPainter painter(viewport());
-  painter.setPen(palette().color(QPalette::PlaceholderText));
-  painter.drawText(viewport()->rect().adjusted(6, 6, -6, -6), Qt::AlignTop | Qt::TextWordWrap,
-                   tr("Nothing is wrong. Problems of drawings and meshes are listed here."));
+  if (count() == 0) draw_hint(*viewport(), tr("Nothing is wrong. Problems of drawings and meshes are listed here."));
 }
 
 HistoryList::HistoryList(QWidget* parent) : QListWidget(parent) {
@@ -187,6 +190,11 @@ std::vector<NodeId> ObjectList::objects_of(const QTreeWidgetItem* row) const {
   std::vector<NodeId> nodes;
   for (int i = 0; i < row->childCount(); ++i) nodes.push_back(node_of(row->child(i)));
   return nodes;
+}
+
+void ObjectList::paintEvent(QPaintEvent* event) {
+  QTreeWidget::paintEvent(event);
+  if (topLevelItemCount() == 0) draw_hint(*viewport(), tr("What you draw or open is listed here."));
 }
 
 void ObjectList::add_object(const WorkObject& object, const Studio& studio) {

@@ -95,6 +95,7 @@ class ObjectList : public QTreeWidget {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;  ///< with what belongs here while there are no objects
 
  private:
   QTreeWidgetItem* group_row(const std::string& group);

@@ -10,9 +10,22 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 namespace croquis::app {
+namespace {
+
+/// Long words are cut off where the panel is narrow, short ones never are.
+void fit_to_words(QComboBox& box) {
+  constexpr int most_letters = 9;
+  int letters = 0;
+  for (int i = 0; i < box.count(); ++i) letters = std::max(letters, static_cast<int>(box.itemText(i).size()));
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(std::min(letters, most_letters));
+}
+
+}  // namespace
 
 Panel::Panel(const QString& name) : column_(new QVBoxLayout(this)) {
   setObjectName(name);
@@ -40,7 +53,7 @@ QComboBox* Panel::choice(const QString& name, const QStringList& words, std::fun
   auto* box = new QComboBox(this);
   box->setObjectName(name);
   box->addItems(words);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  fit_to_words(*box);
   box->setToolTip(tip);
   connect(box, &QComboBox::activated, this, std::move(take));
   also([box, read = std::move(read)] {
@@ -57,7 +70,7 @@ QComboBox* Panel::choice_of_values(const QString& name, const std::vector<Choice
   auto* box = new QComboBox(this);
   box->setObjectName(name);
   for (const Choice& choice : choices) box->addItem(choice.words, choice.value);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  fit_to_words(*box);
   box->setToolTip(tip);
   connect(box, &QComboBox::activated, this,
           [box, take = std::move(take)] { take(box->currentData().toString().toStdString()); });

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/views/offscreen_pictures.h"
+#include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/document/operation.h"
 #include "croquis/io/attribute_network_file.h"
@@ -29,10 +30,7 @@ QString folder_of(SampleKind kind) { return kind == SampleKind::Network ? folder
 
 Sample sample_of(const QString& file, SampleKind kind) {
   const QString name = file.chopped(sample_endings.at(kind).size());
-  QString title = name;
-  title.replace('_', ' ');
-  title[0] = title[0].toUpper();
-  return {name, title, kind};
+  return {name, shown_text(capitalized(QString(name).replace('_', ' ')).toStdString()), kind};
 }
 
 constexpr QSize picture_size(336, 252);  // twice a tile's, for screens of two pixels a point

@@ -85,7 +85,7 @@ QToolBar* ActionList::bar(const QString& name, const QString& title) {
   auto* bar = new QToolBar(title, &window_);
   bar->setObjectName(name);
   bar->setMovable(false);
-  bar->setIconSize(bar_icon);
+  bar->setIconSize(bar_icon * std::min(1.0, kept_scale() / 100.0));
   window_.addToolBar(Qt::LeftToolBarArea, bar);
   return bar;
 }

@@ -65,6 +65,7 @@ HelpLine::HelpLine(QWidget* parent)
   message_->setObjectName("message");
   folder_->setObjectName("open-folder");
   folder_->setText(tr("Open folder"));
+  folder_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // the views keep their height when it comes
   folder_->hide();
   status_->setObjectName("status");
   set_tone(*status_, QStringLiteral("faint"));

@@ -169,9 +169,22 @@ QString titled_in_language(const QString& text, bool with_number) {
   return {};
 }
 
+/// "a, b and c" of texts that are known; null where one isn't.
+QString list_in_language(const QString& text) {
+  static const QRegularExpression between(QStringLiteral(", | and "));
+  QStringList parts = text.split(between);
+  for (QString& part : parts) {
+    const auto source = texts().english.constFind(part);
+    if (source == texts().english.constEnd()) return {};
+    part = translated(*source);
+  }
+  return parts.size() < 2 ? QString() : parts.join(QStringLiteral(", "));
+}
+
 /// A text with values, or several of them: "Sketch 2", "file, line 3: what is wrong", sentences, a list.
 QString composed_in_language(const QString& text) {
   if (const QString titled = titled_in_language(text, true); !titled.isNull()) return titled;
+  if (const QString listed = list_in_language(text); !listed.isNull()) return listed;
   Translation best = translation_of(text);
   for (qsizetype at = text.indexOf(": "); at > 0 && best.letters < text.size(); at = text.indexOf(": ", at + 1)) {
     const Translation rest = translation_of(text.mid(at + 2));
@@ -288,8 +301,18 @@ void retranslate(QWidget& window) {
 
 QString shown_text(const std::string& english) { return QCoreApplication::translate(context, english.c_str()); }
 
+QString with_numbers(const std::string& text, const QString& letters) {
+  const QRegularExpression id("(?<![\\w./\"'-])[" + letters + "](?=\\d+(?![\\w\"'-]|\\.\\w))");
+  return QString::fromStdString(text).remove(id);
+}
+
+QString capitalized(QString text) {
+  if (!text.isEmpty()) text.front() = text.front().toUpper();
+  return text;
+}
+
 QString localized(const std::string& composed) {
-  const QString text = QString::fromStdString(composed);
+  const QString text = with_numbers(composed, composed.find("troke") == std::string::npos ? network_ids : stroke_ids);
   if (!composed_texts().translates) return text;
   constexpr qsizetype most_kept = 2000;
   QHash<QString, QString>& shown = composed_texts().shown;

@@ -32,6 +32,15 @@ QString shown_text(const std::string& english);
 /// are shown in it, too, where they are known; a text that isn't stays.
 QString localized(const std::string& composed);
 
+/// First letters of ids that the program gives to strokes, and to curves, faces, points and nodes.
+inline const QString stroke_ids = QStringLiteral("s"), network_ids = QStringLiteral("cfpn");
+
+/// A text with the numbers alone of such ids: "Draw stroke 3" for "Draw stroke s3". Names and files stay.
+QString with_numbers(const std::string& text, const QString& letters);
+
+/// As it begins a row or a sentence.
+QString capitalized(QString text);
+
 /// The English of a shown text; the text itself where it is none of the translated ones.
 QString english_of(const QString& shown);
 

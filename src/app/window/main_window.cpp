@@ -101,7 +101,7 @@ void add_help_line(MainWindow& window) {
       // By itself the bar draws the whole window at once; so it is drawn with what else has changed.
       progress->setUpdatesEnabled(false);
       progress->setValue(static_cast<int>(fraction * progress->maximum()));
-      progress->setFormat(localized(step.toStdString()));
+      progress->setFormat(capitalized(localized(step.toStdString())));
       progress->setUpdatesEnabled(true);
     });
   };

@@ -116,6 +116,7 @@ class StudioStyle : public QProxyStyle {
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
+    if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;  // a click beside the handle takes it there
     return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
   }
 

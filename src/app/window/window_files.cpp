@@ -10,6 +10,8 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QSettings>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -24,14 +26,17 @@
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
+#include "croquis/geometry/attribute_network.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/recording/general_steps.h"
+#include "croquis/workspace/computed.h"
+#include "croquis/workspace/object_commands.h"
 
 namespace croquis::app {
 namespace {
 
-const QString project_filter = QObject::tr("Project (*.croq)");
+QString project_filter() { return QObject::tr("Project (*.croq)"); }
 
 /// "OBJ (*.obj);;PLY (*.ply)" …
 QString mesh_filter() {
@@ -103,7 +108,8 @@ bool save_to(MainWindow& window, const QString& path) {
 }
 
 bool ask_save_as(MainWindow& window, const QString& proposed) {
-  return save_to(window, QFileDialog::getSaveFileName(&window, QObject::tr("Save project"), proposed, project_filter));
+  return save_to(window,
+                 QFileDialog::getSaveFileName(&window, QObject::tr("Save project"), proposed, project_filter()));
 }
 
 bool ask_save(MainWindow& window) {
@@ -141,6 +147,15 @@ void show_doubt(MainWindow& window, const ExportCheck& check, const MeshExport& 
   emit window.views().changed();
 }
 
+/// Surfaces from curves have borders.
+bool is_surface(const Studio& studio, const MeshExport& wanted) {
+  return wanted.objects == MeshExport::Objects::Picked &&
+         std::ranges::all_of(picked_or_active(studio), [&](NodeId node) {
+           const WorkObject* object = studio.object(node);
+           return object != nullptr && value_along(studio, *object, ValueType::AttributeNetwork).as<AttributeNetwork>();
+         });
+}
+
 /// Asks before a mesh is written that isn't closed or crosses itself; none: it isn't to be written.
 std::optional<ExportCheck> checked_for_export(MainWindow& window, const MeshExport& wanted) {
   const std::shared_ptr<const PolyMesh> mesh = exported_mesh(window.studio(), wanted);
@@ -158,7 +173,8 @@ std::optional<ExportCheck> checked_for_export(MainWindow& window, const MeshExpo
   }
   waiting.reset();
   ExportCheck check = checking.get();
-  if (!check.doubt || window.parts().unattended) return check;
+  const bool is_expected = check.doubt && check.doubt->code == "W_OPEN" && is_surface(window.studio(), wanted);
+  if (!check.doubt || is_expected || window.parts().unattended) return check;
   QMessageBox question(QMessageBox::Warning, QObject::tr("Export mesh"), localized(check.doubt->message),
                        QMessageBox::Cancel, &window);
   question.setObjectName("export-question");
@@ -180,12 +196,23 @@ void ask_export_meshes(MainWindow& window, MeshExport::Objects objects) {
       alone && object != nullptr && object->mesh && object->mesh->channel("patch_id", Domain::Face) != nullptr;
   const QString project = QFileInfo(parts.files.file_name()).completeBaseName();
   const QString name = alone || project.isEmpty() ? QString::fromStdString(document_name(studio)) : project;
-  QString filter = is_filled ? QStringLiteral("PLY (*.ply)") : QStringLiteral("OBJ (*.obj)");
-  const QString proposed = proposed_path(parts, is_filled ? QObject::tr("%1 filled.ply").arg(name) : name + ".obj");
+  constexpr const char* kept_format = "export-format";
+  QString filter = is_filled ? QStringLiteral("PLY (*.ply)")
+                             : QSettings().value(kept_format, QStringLiteral("OBJ (*.obj)")).toString();
+  const auto ending_of = [](const QString& kind) { return kind.section("*", 1).section(")", 0, 0); };
+  const QString proposed =
+      proposed_path(parts, is_filled ? QObject::tr("%1 filled.ply").arg(name) : name + ending_of(filter));
   QString path = QFileDialog::getSaveFileName(&window, QObject::tr("Export mesh"), proposed, mesh_filter(), &filter);
   if (path.isEmpty()) return;
-  const QString suffix = filter.section("*", 1).section(")", 0, 0);
-  if (QFileInfo(path).suffix().isEmpty() && !QFileInfo::exists(path + suffix)) path += suffix;
+  const QString suffix = ending_of(filter);
+  // Another format chosen under the proposed name changes its ending.
+  if (const QFileInfo file(path); file.suffix().isEmpty() || file.fileName() == QFileInfo(proposed).fileName()) {
+    const QString ending = file.dir().filePath(file.completeBaseName() + suffix);
+    if (!QFileInfo::exists(ending)) path = ending;
+  }
+  for (const QString& kind : mesh_filter().split(";;")) {
+    if (!is_filled && path.endsWith(ending_of(kind), Qt::CaseInsensitive)) QSettings().setValue(kept_format, kind);
+  }
   const MeshExport wanted{objects, parts.export_unit};
   window.attempt([&] {
     const auto check = checked_for_export(window, wanted);

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -23,6 +24,7 @@
 #include "app/window/panel_docks.h"
 #include "app/window/preferences.h"
 #include "app/window/step_actions.h"
+#include "app/window/theme.h"
 #include "croquis/base/error.h"
 #include "croquis/tools/recording/general_steps.h"
 
@@ -372,6 +374,12 @@ std::function<void()> add_panels(MainWindow& window) {
   auto* placement = new PlacementFields(fields);
   column->setContentsMargins({});
   column->setSpacing(0);
+  auto* hint = new QLabel(QObject::tr("Numbers of what is selected can be changed here."), fields);
+  hint->setObjectName("attributes-hint");
+  hint->setWordWrap(true);
+  hint->setContentsMargins(6, 6, 6, 6);
+  set_tone(*hint, QStringLiteral("faint"));
+  column->addWidget(hint);
   column->addWidget(placement);
   column->addWidget(attributes, 1);
   docks->add(QObject::tr("Objects"), objects, "objects");
@@ -380,8 +388,9 @@ std::function<void()> add_panels(MainWindow& window) {
   take_attributes(window, attributes, placement);
   take_objects(window, objects);
   take_findings(window, findings);
-  return [&window, objects, attributes, findings, placement] {
+  return [&window, objects, attributes, findings, placement, hint] {
     const Studio& studio = window.studio();
+    hint->setVisible(studio.active() == nullptr);
     const Node* operation = active_operation(studio);
     attributes->show_node(operation, operation == nullptr ? nullptr : studio.description(operation->operation));
     placement->follow(studio);

@@ -204,4 +204,14 @@ TEST_CASE("findings about bad drawings and files are Korean", "[composed-texts]"
   CHECK(shown.size() >= 25);
 }
 
+TEST_CASE("lists of known texts are translated one by one", "[composed-texts]") {
+  const InKorean speaking;
+  CHECK(app::localized("STL can't hold normals.").contains(app::localized("normals")));
+  const QString lost = app::localized("STL can't hold the order of vertices, normals and names of objects.");
+  INFO(lost.toStdString());
+  CHECK(is_all_korean(lost));
+  for (const char* part : {"the order of vertices", "normals", "names of objects"})
+    CHECK(lost.contains(app::localized(part)));
+}
+
 }  // namespace croquis::test

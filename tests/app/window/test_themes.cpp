@@ -138,6 +138,16 @@ void check_keyboard(QWidget& window, const char* state) {
   }
 }
 
+/// Pixels of letters in the right fifth of a window: lighter than any ground of the dark theme.
+double ink_of_panels(const QImage& window) {
+  constexpr int light = 150;
+  int count = 0;
+  for (int y = 0; y < window.height(); ++y) {
+    for (int x = window.width() * 4 / 5; x < window.width(); ++x) count += qGray(window.pixel(x, y)) > light ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("each text can be read on its ground, in every theme", "[themes]") {
@@ -221,13 +231,22 @@ TEST_CASE("the scale is kept, and applied when the program starts", "[themes]") 
   hand.act("preferences");
   QTest::keyClick(dialog_of(hand, "preferences")->findChild<QComboBox*>("scale"), Qt::Key_Up);
   CHECK(app::kept_scale() == 75);
-  const QString picture = hand.folder() + "/window.png";
-  CHECK(QProcess::execute(CROQUIS_STUDIO, {"--screenshot", picture}) == 0);
-  const int kept = QImage(picture).width();
+  const auto shown = [&] {
+    const QString picture = hand.folder() + "/window.png";
+    CHECK(QProcess::execute(CROQUIS_STUDIO, {"--new", "silhouette", "--screenshot", picture}) == 0);
+    return QImage(picture);
+  };
+  const QImage small = shown();
   qputenv("QT_SCALE_FACTOR", "1");  // comes before what is kept
-  CHECK(QProcess::execute(CROQUIS_STUDIO, {"--screenshot", picture}) == 0);
+  const QImage normal = shown();
   qunsetenv("QT_SCALE_FACTOR");
-  CHECK(std::abs(kept - 0.75 * QImage(picture).width()) <= 2);
+  app::keep_scale(150);
+  const QImage large = shown();
+  CHECK(small.size() == normal.size());
+  const double ink = ink_of_panels(normal);
+  CHECK(ink_of_panels(small) < 0.9 * ink);
+  CHECK(ink_of_panels(small) > 0.4 * ink);
+  CHECK(ink_of_panels(large) > 1.5 * ink);
 }
 
 TEST_CASE("the first start asks once, and what is chosen works at once and is kept", "[themes]") {

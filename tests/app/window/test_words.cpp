@@ -13,18 +13,21 @@
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <catch2/catch.hpp>
 
 #include "app/hand_on_meshes.h"
 #include "app/hole_scans.h"
 #include "app/panels/attribute_panel.h"
+#include "app/panels/lists.h"
 #include "app/panels/number_box.h"
 #include "app/replay/replay_player.h"
 #include "app/tools/holes/hole_table.h"
 #include "app/tools/perspective/perspective_drawing_tool.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "app/window/help_pages.h"
+#include "app/window/language.h"
 #include "app/window/panel_docks.h"
 #include "support/sketches/sketch_gallery.h"
 
@@ -79,6 +82,60 @@ TEST_CASE("numbers have the digits that they need and no more", "[words]") {
   QTest::keyClicks(box.get(), "2e-7");
   QTest::keyClick(box.get(), Qt::Key_Return);
   CHECK(box->value() == 2e-7);
+}
+
+TEST_CASE("ids that nobody typed are shown as numbers, names and files stay", "[words]") {
+  CHECK(app::localized("Draw stroke s10") == "Draw stroke 10");
+  CHECK(app::localized("Strokes s3, s5 and s12.") == "Strokes 3, 5 and 12.");
+  CHECK(app::localized("Stroke c7 and stroke e33") == "Stroke c7 and stroke e33");  // of a file
+  CHECK(app::localized("Patch f1: curve c4, point p2, node n7") == "Patch 1: curve 4, point 2, node 7");
+  for (const char* same :
+       {"Saved f3.obj", "The group \"c3\" is empty", "/tmp/f1/c2.png", "c3_left", "scarf12", "G1, C2"})
+    CHECK(app::localized(same) == same);
+}
+
+TEST_CASE("the perspective panel and the history name drawn strokes by numbers alone", "[words]") {
+  StudioFixture hand;
+  hand.window().set_unattended();
+  hand.act("new-perspective");
+  auto& sheet = hand.window().tool<app::PerspectiveDrawingTool>().sheet();
+  for (const auto& [from, to] : std::array<std::pair<Vec2, Vec2>, 7>{{{{416, 627}, {407, 384}},
+                                                                      {{407, 384}, {792, 247}},
+                                                                      {{407, 384}, {234, 240}},
+                                                                      {{416, 627}, {765, 468}},
+                                                                      {{416, 627}, {257, 460}},
+                                                                      {{765, 468}, {792, 247}},
+                                                                      {{257, 460}, {234, 240}}}}) {
+    recorded::SheetStroke stroke;
+    for (int i = 0; i <= 8; ++i) stroke.points.push_back(from + (to - from) * i / 8.0);
+    sheet.take(stroke);
+    hand.settle();
+  }
+  const auto* lines = hand.window().findChild<QTreeWidget*>("perspective-lines");
+  REQUIRE(lines->topLevelItemCount() > 3);
+  for (int row = 0; row < lines->topLevelItemCount(); ++row) CHECK(lines->topLevelItem(row)->text(0).toInt() > 0);
+  CHECK(hand.window().findChild<app::HistoryList*>("history")->item(7)->text() == "Draw stroke 7");
+}
+
+TEST_CASE("empty panels say what belongs there", "[words]") {
+  StudioFixture hand;
+  hand.act("new");
+  hand.settle();
+  const auto* objects = hand.window().findChild<QTreeWidget*>("objects");
+  REQUIRE(objects->topLevelItemCount() == 0);
+  const auto ink = [&] {
+    const QImage picture = objects->viewport()->grab().toImage();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) count += picture.pixel(x, y) != picture.pixel(0, 0) ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(ink() > 100);
+  const auto* hint = hand.window().findChild<QLabel*>("attributes-hint");
+  CHECK(hint->isVisibleTo(&hand.window()));
+  draw_triangle(hand);
+  CHECK_FALSE(hint->isVisibleTo(&hand.window()));
 }
 
 TEST_CASE("edits are listed in words, and nothing else of them is shown", "[words]") {

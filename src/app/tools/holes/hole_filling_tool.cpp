@@ -83,7 +83,7 @@ std::vector<ObjectRow> rows_of_patches(const std::vector<FaceSet>& sets) {
     const auto count = qulonglong(set.faces.size());
     const QString info = count == 1 ? tr("1 face") : tr("%1 faces").arg(QLocale().toString(count));
     const QString tip = tr("Click to select these faces; F frames them");
-    const ObjectRow row{localized(set.name), info, tip, {set.name}, true, false};
+    const ObjectRow row{capitalized(localized(set.name)), info, tip, {set.name}, true, false};
     (rows.empty() ? rows : rows.front().rows).push_back(row);
   }
   return rows;

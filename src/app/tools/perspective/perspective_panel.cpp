@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "app/tools/perspective/sheet.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/tools/perspective/sheet_units.h"
 
@@ -229,7 +230,7 @@ void show_lines(QTreeWidget& list, const PerspectiveResult* result) {
   shown.resize(std::min(shown.size(), most_lines));
   list.clear();
   for (const PerspectiveStrokeResult& stroke : shown) {
-    auto* item = new QTreeWidgetItem(&list, {QString::fromStdString(stroke.id), group_letter(stroke.group),
+    auto* item = new QTreeWidgetItem(&list, {with_numbers(stroke.id, stroke_ids), group_letter(stroke.group),
                                              Panel::tr("%1 px").arg(*stroke.residual, 0, 'f', 1)});
     for (const auto& [column, ground] :
          {std::pair{1, group_color(stroke.group)}, {2, residual_color(*stroke.residual)}}) {

@@ -21,6 +21,7 @@
 #include "croquis/operators/subdivide_result.h"
 #include "croquis/subdivision/shape_keeping.h"
 #include "croquis/workspace/node_values.h"
+#include "croquis/workspace/object_names.h"
 
 namespace croquis::app {
 namespace {
@@ -178,7 +179,7 @@ void show_smooth(Studio& studio, ChainView view) {
   NodeId node = object->node;
   if (object->is_source()) {
     if (view == ChainView::Cage) return;
-    const std::string label = "Smooth " + object->name;
+    const std::string label = "Smooth " + readable_name(object->name);
     AddedNode added = with_step(studio.session().document(), studio.registry(), object->cage, smoothing_operation);
     node = added.node;
     studio.session().edit(label, std::move(added.document));

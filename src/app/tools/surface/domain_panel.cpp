@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/panels/number_box.h"
+#include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/attribute_surface/network_elements.h"
 #include "croquis/attribute_surface/surface_tessellation.h"
@@ -215,7 +216,7 @@ std::optional<DomainPicture> domain_picture(const AttributeNetwork& network, con
   const std::size_t corners = made.domain().corners.size();
   for (std::size_t k = 0; k < corners; ++k) {
     const Index curve = loop[k * loop.size() / corners].curve;  // the two of a face of two sides are two sides each
-    picture.sides.push_back({QString::fromStdString(network.curves[curve].id), surface.curves[curve].smooth});
+    picture.sides.push_back({with_numbers(network.curves[curve].id, network_ids), surface.curves[curve].smooth});
   }
   for (Index i = 0; i < network.points.size(); ++i) {
     const auto placed = network.points[i].face == face ? placed_index(network, surface, i) : std::nullopt;
@@ -313,7 +314,7 @@ void DomainPanel::follow() {
   if (const UniformGhost::Compared* compared = ghost_.compared(); own && compared != nullptr)
     uniform = domain_picture(compared->comparison.network, compared->comparison.surface, face_, selected);
   view_->show_domains(std::move(own), std::move(uniform));
-  title_->setText(face_.empty() ? tr("No patch yet") : tr("Patch %1").arg(QString::fromStdString(face_)));
+  title_->setText(face_.empty() ? tr("No patch yet") : tr("Patch %1").arg(with_numbers(face_, network_ids)));
   numbers_->setText(QStringList{numbers_text(), points_text()}.join('\n').trimmed());
 }
 
@@ -339,8 +340,8 @@ QString DomainPanel::points_text() const {
     const Index index = find_element(network, NetworkElement::Point, point.id);
     const bool is_here = index != no_index && network.faces[network.points[index].face].id == face_;
     if (!is_here || !point.own || !point.uniform) continue;
-    lines << tr("Dent of %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)")
-                 .arg(QString::fromStdString(point.id), length_text(point.own->offset, units),
+    lines << tr("Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)")
+                 .arg(with_numbers(point.id, network_ids), length_text(point.own->offset, units),
                       length_text(point.uniform->offset, units), short_number(point.own->anisotropy),
                       short_number(point.uniform->anisotropy));
   }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/tools/surface/surface_drawing_tool.h"
+#include "app/window/language.h"
 
 namespace croquis::app {
 namespace {
@@ -17,7 +18,7 @@ constexpr double per_degree = std::numbers::pi / 180;
 
 /// "Patch f1", "3 patches".
 QString counted_ids(const std::vector<std::string>& ids, const QString& one, const QString& many) {
-  return ids.size() == 1 ? one.arg(QString::fromStdString(ids.front())) : many.arg(ids.size());
+  return ids.size() == 1 ? one.arg(with_numbers(ids.front(), network_ids)) : many.arg(ids.size());
 }
 
 QString quality_number(double value) { return number_words(value, 3); }
@@ -152,16 +153,15 @@ void add_faces(Panel& panel, DrawnNetwork& network) {
       Panel::tr("How far the middle follows the slopes of the sides: 0 flat, 1 full"));
   fullness->setSingleStep(0.1);
   add_labelled(*grid, 1, panel.label(Panel::tr("Fullness")), fullness);
-  add_labelled(
-      *grid, 2, panel.label(Panel::tr("Domain")),
-      panel.choice(
-          "surface-domain", {Panel::tr("by the curves' lengths"), Panel::tr("uniform")}, read(&AttributeFace::domain),
-          [&network](int index) {
-            FaceSetting setting;
-            setting.domain = static_cast<AttributeDomain>(index);
-            set_faces(network, setting);
-          },
-          Panel::tr("The plane polygon that a patch is a map of")));
+  add_labelled(*grid, 2, panel.label(Panel::tr("Domain")),
+               panel.choice(
+                   "surface-domain", {Panel::tr("by lengths"), Panel::tr("uniform")}, read(&AttributeFace::domain),
+                   [&network](int index) {
+                     FaceSetting setting;
+                     setting.domain = static_cast<AttributeDomain>(index);
+                     set_faces(network, setting);
+                   },
+                   Panel::tr("The plane polygon that a patch is a map of")));
 }
 
 /// How strongly a patch leaves the selected curve, of the first or second patch beside it.
