@@ -382,8 +382,7 @@ std::function<void()> add_panels(MainWindow& window) {
   take_findings(window, findings);
   return [&window, objects, attributes, findings, placement] {
     const Studio& studio = window.studio();
-    const Node* operation = active_operation(studio);
-    attributes->show_node(operation, operation == nullptr ? nullptr : studio.description(operation->operation));
+    attributes->show_node(studio, active_operation(studio));
     placement->follow(studio);
     show_lists(window, objects, findings);
   };
