@@ -93,7 +93,9 @@ std::string title_of(const ParameterDescription& description) {
 std::string title_with(const ParameterDescription& description, const ParameterValue& value) {
   const std::string title = title_of(description);
   if (description.type == ParameterType::Text || description.type == ParameterType::File) return title;
+  if (!is_given(description, value)) return title;
   if (const auto* flag = std::get_if<bool>(&value)) return title + (*flag ? " on" : " off");
+  if (description.type != ParameterType::Choice) return title + ' ' + to_text(value);
   const auto chosen = std::ranges::find(description.choices, to_text(value));
   const auto place = static_cast<std::size_t>(chosen - description.choices.begin());
   return title + ' ' + (place < description.choice_titles.size() ? description.choice_titles[place] : to_text(value));
@@ -109,8 +111,11 @@ ParameterDescription integer_parameter(const std::string& name, std::int64_t val
 }
 
 ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
-                                      const std::string& unit, const std::string& sentence) {
-  return {name, ParameterType::Number, value, minimum, maximum, {}, unit, sentence};
+                                      const ParameterUnit& unit, const std::string& sentence) {
+  ParameterDescription made{name, ParameterType::Number, value, minimum, maximum, {}, unit.words, sentence};
+  made.length = unit.length;
+  made.share = unit.share;
+  return made;
 }
 
 ParameterDescription choice_parameter(const std::string& name, const std::vector<std::string>& choices,
@@ -144,7 +149,7 @@ const ParameterDescription* find_parameter(std::span<const ParameterDescription>
 bool is_given(const ParameterDescription& description, const ParameterValue& value) {
   const std::string* text = text_in(value);
   if (text == nullptr) return true;
-  if (description.type == ParameterType::Choice) return *text != "preset";
+  if (description.type == ParameterType::Choice) return *text != "preset" && !text->empty();
   const std::string* usual = text_in(description.default_value);
   return !text->empty() || (usual != nullptr && !usual->empty());
 }

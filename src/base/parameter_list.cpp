@@ -30,13 +30,13 @@ ParameterList& ParameterList::flag(const std::string& name, bool& value, const s
 }
 
 ParameterList& ParameterList::number(const std::string& name, double& value, double minimum, double maximum,
-                                     const std::string& unit, const std::string& sentence) {
+                                     const ParameterUnit& unit, const std::string& sentence) {
   return add(number_parameter(name, value, minimum, maximum, unit, sentence),
              [&value](const ParameterValue& given) { value = std::get<double>(given); });
 }
 
 ParameterList& ParameterList::number(const std::string& name, std::optional<double>& value, double maximum,
-                                     const std::string& unit, const std::string& sentence) {
+                                     const ParameterUnit& unit, const std::string& sentence) {
   return add(number_parameter(name, value.value_or(0), 0, maximum, unit, sentence),
              [&value](const ParameterValue& given) {
                const double number = std::get<double>(given);
@@ -90,6 +90,11 @@ ParameterList& ParameterList::titled(const std::string& title, const std::vector
 
 ParameterList& ParameterList::at(ParameterPlace place) {
   descriptions_.back().place = place;
+  return *this;
+}
+
+ParameterList& ParameterList::or_else(const std::string& default_title) {
+  descriptions_.back().default_title = default_title;
   return *this;
 }
 

@@ -38,7 +38,7 @@ void list_fair_parameters(FairSettings& settings, ParameterList& list) {
   FairingOptions& options = settings.options;
   list.number("weight", settings.weight, 1e-4, 1e4, "/ (median edge length)²",
               "How much the points are held back: low values make the surface fairer, high ones leave it.")
-      .titled("Hold back");
+      .titled("Hold back", {"smooth", "unchanged"});
   list.integer("levels", options.levels, 0, 4, "", "Level of subdivision at which the bending is measured.")
       .titled("Level that is looked at")
       .at(ParameterPlace::Expert);

@@ -55,12 +55,14 @@ void list_hole_parameters(FillSettings& settings, ParameterList& list) {
   list.list("only", "Numbers of the holes to fill instead, as the list shows them: 0,3-5.",
             [&](const std::string& ids) { fill.only = parse_hole_ids(ids); })
       .at(ParameterPlace::Nowhere);
-  list.number("max-diameter", settings.max_diameter, unlimited, "model units", "Wider holes stay open; 0 for no limit.")
-      .titled("Widest hole");
-  list.number("weld", fill.analysis.weld_tolerance, 0, 0.01, "× diagonal",
+  list.number("max-diameter", settings.max_diameter, unlimited, {"model units", ParameterLength::Model},
+              "Wider holes stay open; 0 for no limit.")
+      .titled("Widest hole")
+      .or_else("no limit");
+  list.number("weld", fill.analysis.weld_tolerance, 0, 0.01, {"× diagonal", ParameterLength::Input},
               "Vertices of rims so near to each other count as one, if the edges there are longer; the scan keeps them "
               "as they are. 0: only those at one place.")
-      .titled("Join edges within");
+      .titled("Join edges within", {"strict", "loose"});
   list.add(list_parameter("holes",
                           "Requests for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. "
                           "Words: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through "
@@ -94,14 +96,14 @@ void list_patch_parameters(FillSettings& settings, ParameterList& list) {
       .titled("The scan is", {"usual", "smooth", "as published in 2005", "a machined part", "rough"})
       .sets_others();
   list.number("bulge", fill.bulge, -1, 1, "", "Turns the surface at the rims outwards, or inwards below 0.")
-      .titled("Bulge");
+      .titled("Bulge", {"inwards", "outwards"});
   list.integer("trim-rim", fill.trim_rim, 0, 3, "rings of faces",
                "Removes so much of the scan along the rims that are filled, where scans are worst.")
       .titled("Trim edge");
 }
 
 void list_remesh_parameters(RemeshOptions& options, ParameterList& list) {
-  list.number("overlap", options.overlap, 0, 1, "× domain",
+  list.number("overlap", options.overlap, 0, 1, {"× domain", ParameterLength::Inner},
               "remesh: how much larger domains are than their boxes; 0.1 with the preset paper.")
       .titled("New mesh: overlap")
       .at(ParameterPlace::Expert);
@@ -113,14 +115,15 @@ void list_remesh_parameters(RemeshOptions& options, ParameterList& list) {
       .titled("New mesh: evened out");
   list.integer("refine", options.refine, 0, 4, "times", "remesh: how often every triangle is cut in four.")
       .titled("New mesh: each triangle cut in four");
-  list.number("cell", options.cell, 0.1, 10, "× mean edge",
+  list.number("cell", options.cell, 0.1, 10, {"× mean edge", ParameterLength::Inner},
               "remesh: edge of the cubes; small ones keep more detail and take more memory. 0.5 with the preset sharp.")
-      .titled("New mesh: edges");
+      .titled("New mesh: edges", {"fine", "coarse"});
   list.number(
           "adaptive", options.adaptive, 0, 1, "× cell",
           "remesh: fewer faces where the surface is flat: they are merged as long as the surface stays this near to "
           "what it was. 0: none are; 0.1 is usual.")
-      .titled("New mesh: fewer faces where flat");
+      .titled("New mesh: fewer faces where flat", {"many", "few"})
+      .or_else("off");
 }
 
 /// How much memory the result may take, and what is kept in it.
@@ -129,6 +132,7 @@ void list_result_parameters(FillSettings& settings, ParameterList& list) {
   list.number("memory-limit", settings.memory_limit, unlimited, "MiB",
               "A mesh that would take more is refused before anything is allocated; 0 for no limit.")
       .titled("Most memory")
+      .or_else("no limit")
       .at(ParameterPlace::Expert);
   list.choice("precision", fill.precision, {"double", "single"},
               "How coordinates will be stored, by which patches are judged; files of single numbers set it.")

@@ -25,26 +25,27 @@ void list_inflate_parameters(Options& options, ParameterList& list) {
       .sets_others();
   list.number("weight-curvature", options.depth.weight_curvature, 1e-3, 1, "",
               "How much bending costs: high gives long gentle arcs.")
-      .titled("Smooth arcs");
+      .titled("Smooth arcs", {"wavy", "smooth"});
   list.number("weight-orientation", options.depth.weight_orientation, 1e-3, 1, "",
               "How much tilting costs: high keeps parts flat.")
-      .titled("Keep flat");
+      .titled("Keep flat", {"tilted", "flat"});
   list.number("weight-distance", options.depth.weight_distance, 1e-3, 1, "",
               "How much depth costs: high keeps parts near the plane.")
-      .titled("Keep near the plane");
-  list.number("min-gap", options.depth.minimum_gap, 0.01, 1, "× the parts' median radius",
+      .titled("Keep near the plane", {"deep", "shallow"});
+  list.number("min-gap", options.depth.minimum_gap, 0.01, 1, {"× the parts' median radius", ParameterLength::Inner},
               "Least distance between parts in front of one another.")
-      .titled("Gap between parts");
-  list.number("resolution", options.strokes.step, 2, 20, "‰ of the drawing's diagonal",
+      .titled("Gap between parts", {"narrow", "wide"});
+  list.number("resolution", options.strokes.step, 2, 20, {"‰ of the drawing's diagonal", ParameterLength::Input, 0.001},
               "Spacing of points along the contours: smaller is finer.")
-      .titled("Smallest detail");
+      .titled("Smallest detail", {"fine", "coarse"});
   list.choice("details", options.details.shape, {"lines", "groove", "ridge"},
               "What the lines within a body become, such as a mouth or fur: lines on the surface, grooves cut into it, "
               "or ridges raised from it.")
       .titled("Lines on the body", {"drawn on", "cut in", "raised"});
-  list.number("detail-width", options.details.width, 2, 50, "‰ of the drawing's diagonal",
+  list.number("detail-width", options.details.width, 2, 50,
+              {"‰ of the drawing's diagonal", ParameterLength::Input, 0.001},
               "How wide grooves and ridges are; they are a quarter as deep.")
-      .titled("Line width");
+      .titled("Line width", {"narrow", "wide"});
   list.list("attach",
             "Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K "
             "grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, "

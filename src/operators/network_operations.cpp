@@ -35,10 +35,10 @@ OperationResult compute_attribute_network(const Values& inputs, const ParameterV
 }
 
 void list_contour_parameters(ContourNetworkOptions& options, ParameterList& list) {
-  list.number("tolerance", options.tolerance, 1e-6, 0.1, "× the drawing's diagonal",
+  list.number("tolerance", options.tolerance, 1e-6, 0.1, {"× the drawing's diagonal", ParameterLength::Input},
               "How far curves may be from what was drawn: smaller takes more curves.")
-      .titled("Off the strokes by at most");
-  list.number("join", options.join, 0, 0.1, "× the drawing's diagonal",
+      .titled("Off the strokes by at most", {"fine", "coarse"});
+  list.number("join", options.join, 0, 0.1, {"× the drawing's diagonal", ParameterLength::Input},
               "Ends of strokes that are so near to each other, or to a stroke, meet.")
       .titled("Ends meet within");
   list.angle("corner", options.corner, 5, 180, "Strokes that turn more have a corner there; 180 for none.")
@@ -66,9 +66,9 @@ void list_edge_parameters(EdgeNetworkSettings& settings, ParameterList& list) {
       .at(ParameterPlace::Nowhere);
   list.number("angle", settings.angle, 0, 180, "degrees", "Faces that meet at more have a sharp edge.")
       .titled("Sharp above");
-  list.number("tolerance", settings.options.tolerance, 1e-6, 0.1, "× the model's diagonal",
+  list.number("tolerance", settings.options.tolerance, 1e-6, 0.1, {"× the model's diagonal", ParameterLength::Input},
               "How far curves may be from vertices: smaller takes more curves.")
-      .titled("Off the edges by at most");
+      .titled("Off the edges by at most", {"fine", "coarse"});
   list.angle("corner", settings.options.corner, 0, 180,
              "Rows of edges that turn more have a corner there; 180 for none.")
       .titled("Corner above");

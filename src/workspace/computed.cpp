@@ -2,6 +2,7 @@
 #include "croquis/workspace/computed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "croquis/workspace/chain.h"
@@ -74,6 +75,21 @@ bool has_cage(const Workspace& workspace) {
 BoundingBox placed_bounds(const Workspace& workspace, const WorkObject& object) {
   const BoundingBox own = workspace.own_bounds(object);
   return own ? BoundingBox(transformed(*own, object.placement.map())) : std::nullopt;
+}
+
+double length_of_one(const Workspace& workspace, const Node& node, const ParameterDescription& parameter) {
+  const OperationDescription* operation = workspace.description(node.operation);
+  const bool of_input = parameter.length == ParameterLength::Input;
+  if (operation == nullptr || (!of_input && parameter.length != ParameterLength::Output)) return 0;
+  const auto input = of_input ? node.inputs.find(operation->inputs.front().name) : node.inputs.end();
+  if (of_input && input == node.inputs.end()) return 0;
+  const Link link = of_input ? input->second : Link{node.id, operation->outputs.front().name};
+  const auto found = workspace.result(link.node);
+  const BoundingBox box =
+      found && found->outputs.contains(link.output) ? bounds_of(found->outputs.at(link.output)) : std::nullopt;
+  const WorkObject* object = workspace.object(node.id);
+  const double placed = object == nullptr ? 1 : std::cbrt(std::abs(object->placement.scale.prod()));
+  return box ? parameter.share * ((*box)[1] - (*box)[0]).norm() * placed : 0;
 }
 
 bool begins_empty(const Document& document, const WorkObject& object) {

@@ -66,6 +66,27 @@ enum class ParameterPlace {
   Nowhere  ///< it is shown and changed at the model itself, or is of no use in a window
 };
 
+/// Which length one unit of a Number is, so that windows can show what it comes to.
+enum class ParameterLength {
+  None,   ///< it is no length
+  Model,  ///< one unit of the model
+  // Relative ones: where no value is given, windows show the default as "auto".
+  Input,   ///< the diagonal of the box around the operation's first input
+  Output,  ///< the diagonal of the box around its first output
+  Inner    ///< one that only the operation knows
+};
+
+/// What one unit of a Number is.
+struct ParameterUnit {
+  // NOLINTNEXTLINE(google-explicit-constructor): most are words alone
+  ParameterUnit(const char* shown, ParameterLength of = ParameterLength::None, double part = 1)
+      : words(shown), length(of), share(part) {}
+
+  std::string words;
+  ParameterLength length;
+  double share;  ///< of that length: 0.001 of a parameter in ‰
+};
+
 struct ParameterDescription {
   std::string name;  ///< "weight-curvature": the option is `--weight-curvature`
   ParameterType type = ParameterType::Number;
@@ -77,10 +98,14 @@ struct ParameterDescription {
   std::string sentence;              ///< one sentence of help
   bool repeatable = false;           ///< Text only: a list separated by ';'; command lines may give the option often
   std::string title = {};            ///< what windows call it; empty: its name in words
-  std::vector<std::string> choice_titles = {};  ///< Choice only: what windows call the choices; empty: as they are
+  std::vector<std::string> choice_titles = {};  ///< what windows call the choices; empty: as they are. Of a Number two
+                                                ///< words for what its least and its greatest value give, or none
   ParameterPlace place = ParameterPlace::Panel;
   std::map<std::string, ParameterValues> presets = {};  ///< Choice only: the values of other parameters that go with a
                                                         ///< choice, where they aren't given
+  std::string default_title = {};  ///< what windows show for a default that is no number: "auto", "no limit"
+  ParameterLength length = ParameterLength::None;
+  double share = 1;  ///< see ParameterUnit
 };
 
 /// What people read: the title, else the name in words, "Weight curvature".
@@ -92,7 +117,7 @@ ParameterDescription flag_parameter(const std::string& name, bool value, const s
 ParameterDescription integer_parameter(const std::string& name, std::int64_t value, double minimum, double maximum,
                                        const std::string& unit, const std::string& sentence);
 ParameterDescription number_parameter(const std::string& name, double value, double minimum, double maximum,
-                                      const std::string& unit, const std::string& sentence);
+                                      const ParameterUnit& unit, const std::string& sentence);
 /// The first choice is the default.
 ParameterDescription choice_parameter(const std::string& name, const std::vector<std::string>& choices,
                                       const std::string& sentence);
@@ -102,7 +127,8 @@ ParameterDescription file_parameter(const std::string& name, const std::string& 
 /// A list separated by ';', empty by default.
 ParameterDescription list_parameter(const std::string& name, const std::string& sentence);
 
-/// Whether a value counts as given: not the choice "preset", nor an empty Text or File, where that is the default.
+/// Whether a value counts as given: not the choice "preset", nor an empty text, unless the default is another one.
+/// With an empty text windows leave a parameter of any type to the default again.
 bool is_given(const ParameterDescription& description, const ParameterValue& value);
 
 /// Fills in what isn't given: by the presets that are chosen, then by the defaults. A value that is given stays, also

@@ -31,11 +31,11 @@ class ParameterList {
   ParameterList& add(ParameterDescription description, Set set);
 
   ParameterList& flag(const std::string& name, bool& value, const std::string& sentence);
-  ParameterList& number(const std::string& name, double& value, double minimum, double maximum, const std::string& unit,
-                        const std::string& sentence);
+  ParameterList& number(const std::string& name, double& value, double minimum, double maximum,
+                        const ParameterUnit& unit, const std::string& sentence);
   /// 0 leaves the value absent.
-  ParameterList& number(const std::string& name, std::optional<double>& value, double maximum, const std::string& unit,
-                        const std::string& sentence);
+  ParameterList& number(const std::string& name, std::optional<double>& value, double maximum,
+                        const ParameterUnit& unit, const std::string& sentence);
   /// People give degrees.
   ParameterList& angle(const std::string& name, double& radians, double minimum, double maximum,
                        const std::string& sentence);
@@ -75,9 +75,11 @@ class ParameterList {
   /// A list separated by ';', empty by default.
   ParameterList& list(const std::string& name, const std::string& sentence, Read read);
 
-  /// Words for windows for the parameter that was listed last, and for its choices.
+  /// Words for windows for the parameter that was listed last, and for its choices or the two ends of its range.
   ParameterList& titled(const std::string& title, const std::vector<std::string>& choice_titles = {});
   ParameterList& at(ParameterPlace place);
+  /// What windows show in place of the default.
+  ParameterList& or_else(const std::string& default_title);
   /// The choice that was listed last gets "preset" as a further one: as the chosen preset has it.
   ParameterList& or_preset();
   /// The choice that was listed last sets the values of other parameters, too, unless they are given.

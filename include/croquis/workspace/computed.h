@@ -41,6 +41,10 @@ bool has_cage(const Workspace& workspace);
 /// The box around own_bounds where the object stands.
 BoundingBox placed_bounds(const Workspace& workspace, const WorkObject& object);
 
+/// Model units that 1 of a node's parameter comes to where its object stands; 0 where that isn't known yet, or is none
+/// of ParameterLength's that can be measured.
+double length_of_one(const Workspace& workspace, const Node& node, const ParameterDescription& parameter);
+
 /// Whether nothing is drawn yet in what the object begins with.
 bool begins_empty(const Document& document, const WorkObject& object);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/attribute_panel.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -22,10 +23,29 @@
 #include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/edits/edit_line.h"
+#include "croquis/workspace/computed.h"
 #include "croquis/workspace/node_values.h"
 
 namespace croquis::app {
 namespace {
+
+/// Small words under the ends of a slider.
+void add_ends(QSlider* slider, QHBoxLayout* row, const std::vector<std::string>& ends) {
+  if (ends.empty()) return;
+  constexpr double small = 0.8;
+  auto* grid = new QGridLayout;
+  grid->setVerticalSpacing(0);
+  row->removeWidget(slider);
+  row->insertLayout(0, grid, 1);
+  grid->addWidget(slider, 0, 0, 1, 2);
+  for (const int end : {0, 1}) {
+    auto* words = new QLabel(shown_text(ends[static_cast<std::size_t>(end)]), slider->parentWidget());
+    QFont font = words->font();
+    font.setPointSizeF(font.pointSizeF() * small);
+    words->setFont(font);
+    grid->addWidget(words, 1, end, end == 0 ? Qt::AlignLeft : Qt::AlignRight);
+  }
+}
 
 /// Puts the widget that people use into the field.
 template <class Widget>
@@ -66,13 +86,16 @@ void place_slider(QSlider* slider, const SliderScale& scale, double value) {
 
 void make_number(ParameterField& field, const ParameterDescription& description) {
   const SliderScale scale{description.minimum, description.maximum};
-  const bool has_slider = std::isfinite(scale.high - scale.low);
+  constexpr double widest_range = 1e6;  // beyond this no place of a slider is what people look for
+  const bool has_slider = scale.high - scale.low <= widest_range;
   auto* slider = has_slider ? placed_in(field, new QSlider(Qt::Horizontal, &field), description) : nullptr;
   auto* box = placed_in(field, new NumberBox(&field, {scale.low, scale.high, 3}), description);
   share_keys(box);
   if (has_slider) {
     box->setSingleStep((scale.high - scale.low) / 100);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the slider is for that, and the words need the room
     static_cast<QHBoxLayout*>(field.layout())->setStretchFactor(slider, 1);
+    add_ends(slider, static_cast<QHBoxLayout*>(field.layout()), description.choice_titles);
     slider->setRange(0, SliderScale::positions);
     slider->setFocusPolicy(Qt::ClickFocus);  // the Tab key leads to the box beside it
     slider->setToolTip(parameter_help(description));
@@ -91,9 +114,12 @@ void make_number(ParameterField& field, const ParameterDescription& description)
     place_slider(slider, scale, value);
     emit field.edited(value, false);
   });
-  field.set_show([box, slider, scale](const ParameterValue& value) {
+  field.set_show([&field, box, slider, scale, description](const ParameterValue& value) {
     const QSignalBlocker quiet(box);
-    box->setValue(std::get<double>(value));
+    box->show_value(std::get<double>(value), field.note());
+    const bool hidden = !field.note().instead.isEmpty() && description.length != ParameterLength::None;
+    const QString number = number_words(std::get<double>(value)) + ' ' + shown_text(description.unit);
+    box->setToolTip(parameter_help(description) + (hidden ? '\n' + number : QString()));
     // While it is held down, the slider leads.
     if (slider != nullptr && !slider->isSliderDown()) place_slider(slider, scale, std::get<double>(value));
   });
@@ -105,6 +131,9 @@ void make_integer(ParameterField& field, const ParameterDescription& description
   box->setRange(static_cast<int>(std::max(description.minimum, -limit)),
                 static_cast<int>(std::min(description.maximum, limit)));
   box->setKeyboardTracking(false);
+  if (!description.default_title.empty() &&
+      description.default_value == ParameterValue(static_cast<std::int64_t>(box->minimum())))
+    box->setSpecialValueText(shown_text(description.default_title));
   share_keys(box);
   QObject::connect(box, &QSpinBox::valueChanged, &field,
                    [&field](int value) { emit field.edited(std::int64_t{value}, false); });
@@ -148,6 +177,20 @@ void make_text(ParameterField& field, const ParameterDescription& description) {
   });
 }
 
+/// What is shown beside the number, or instead of it.
+NumberNote note_of(const Studio& studio, const Node& node, const ParameterDescription& parameter,
+                   const ParameterValue& value) {
+  NumberNote note{{}, length_of_one(studio, node, parameter), {}};
+  const bool is_length = note.length > 0 || parameter.length == ParameterLength::Model;
+  if (is_length) note.unit = QString::fromStdString(studio.unit());
+  const bool is_given = node.parameters.contains(parameter.name);
+  if (!parameter.default_title.empty() && value == parameter.default_value)
+    note.instead = shown_text(parameter.default_title);
+  else if (parameter.length > ParameterLength::Model && !is_given)
+    note.instead = QObject::tr("auto");
+  return note;
+}
+
 constexpr std::size_t longest_unit = 8;  ///< "degrees"; longer ones are in the help, so that titles stay short
 constexpr int least_width = 52;          // three of them beside their title
 constexpr double farthest = 1e12;
@@ -167,6 +210,13 @@ ParameterField* make_parameter_field(const ParameterDescription& description, QW
     case ParameterType::Flag: make_flag(*field, description); break;
     case ParameterType::Text:
     case ParameterType::File: make_text(*field, description); break;
+  }
+  auto* reset = new QAction(QObject::tr("Reset to default"), field);
+  QObject::connect(reset, &QAction::triggered, field, [field] { emit field->edited(std::string(), false); });
+  for (auto* part : field->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (qobject_cast<QLineEdit*>(part) != nullptr) continue;  // whose text people delete
+    part->addAction(reset);
+    part->setContextMenuPolicy(Qt::ActionsContextMenu);
   }
   field->setObjectName(QString::fromStdString(description.name));
   field->setToolTip(parameter_help(description));
@@ -275,8 +325,9 @@ AttributePanel::AttributePanel(QWidget* parent) : QWidget(parent), layout_(new Q
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
-void AttributePanel::show_node(const Node* node, const OperationDescription* description) {
-  if (node == nullptr || description == nullptr) {
+void AttributePanel::show_node(const Studio& studio, const Node* node) {
+  const OperationDescription* description = node == nullptr ? nullptr : studio.description(node->operation);
+  if (description == nullptr) {
     node_ = 0;
     clear();
     return;
@@ -286,7 +337,8 @@ void AttributePanel::show_node(const Node* node, const OperationDescription* des
   const ParameterValues values = values_of(*node, *description);
   for (const ParameterDescription& parameter : description->parameters) {
     const auto shown = fields_.find(parameter.name);
-    if (shown != fields_.end()) shown->second->show_value(values.at(parameter.name));
+    const ParameterValue& value = values.at(parameter.name);
+    if (shown != fields_.end()) shown->second->show_value(value, note_of(studio, *node, parameter, value));
     if (lists_edits(*description, parameter)) show_edits(to_text(values.at(parameter.name)));
   }
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "app/panels/number_box.h"
 #include "app/studio/studio.h"
 #include "croquis/base/parameter.h"
 #include "croquis/document/document.h"
@@ -30,13 +31,19 @@ class ParameterField : public QWidget {
   using QWidget::QWidget;
 
   /// Shows a value without a signal.
-  void show_value(const ParameterValue& value) { show_(value); }
+  void show_value(const ParameterValue& value, const NumberNote& note = {}) {
+    note_ = note;
+    show_(value);
+  }
+  const NumberNote& note() const { return note_; }  ///< of a number that is being shown
   void set_show(std::function<void(const ParameterValue& value)> show) { show_ = std::move(show); }
 
  signals:
+  /// An empty text leaves a parameter of any type to the program again.
   void edited(const croquis::ParameterValue& value, bool dragging);
 
  private:
+  NumberNote note_;
   std::function<void(const ParameterValue& value)> show_;
 };
 
@@ -87,7 +94,7 @@ class AttributePanel : public QWidget {
   explicit AttributePanel(QWidget* parent = nullptr);
 
   /// Shows the node's parameters; fields are replaced only when the operation is another one. Null shows none.
-  void show_node(const Node* node, const OperationDescription* description);
+  void show_node(const Studio& studio, const Node* node);
 
   /// The field of a parameter, or null: for callers that know it by name.
   ParameterField* field(const std::string& parameter) const;

@@ -77,7 +77,21 @@ NumberBox::NumberBox(QWidget* parent, const NumberRange& range)
 
 QString NumberBox::textFromValue(double value) const {
   const int figures = std::clamp(places_before_point(value) + shown_decimals_, least_figures, most_figures);
-  return number_words(value, figures);
+  const bool instead = !note_.instead.isEmpty() && value == noted_;
+  const QString words = instead ? note_.instead : number_words(value, figures);
+  const QString unit = note_.unit.isEmpty() ? QString() : ' ' + note_.unit;
+  if (note_.length <= 0) return instead ? words : words + unit;
+  return words + QStringLiteral(" (%1%2)").arg(number_words(value * note_.length, 2), unit);
+}
+
+void NumberBox::show_value(double value, const NumberNote& note) {
+  note_ = note;
+  setValue(value);
+  noted_ = this->value();  // which is rounded
+  setValue(noted_);
+  constexpr int margins = 16;
+  const int needed = fontMetrics().horizontalAdvance(textFromValue(noted_)) + margins;
+  if (needed > minimumWidth()) setMinimumWidth(needed);
 }
 
 /// The number that is shown may have fewer digits than the one that is kept.
@@ -86,6 +100,7 @@ double NumberBox::valueFromText(const QString& text) const {
   if (!suffix().isEmpty() && number.endsWith(suffix())) number.chop(suffix().size());
   number = number.mid(number.startsWith(prefix()) ? prefix().size() : 0).trimmed();
   if (number == textFromValue(value())) return value();
+  number = number.section(' ', 0, 0);  // the length behind it stays
   bool read = false;
   const double value = number.toDouble(&read);
   return read ? value : this->value();
@@ -93,6 +108,13 @@ double NumberBox::valueFromText(const QString& text) const {
 
 QValidator::State NumberBox::validate(QString& text, int& position) const {
   text.replace(',', '.');
+  if (text == textFromValue(value())) return QValidator::Acceptable;
+  // A part of a note is left where people delete some of it; the number before it counts.
+  if (!note_.instead.isEmpty() || !note_.unit.isEmpty() || note_.length > 0) {
+    bool read = false;
+    const double typed = text.section(' ', 0, 0).toDouble(&read);
+    return read && typed >= minimum() && typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+  }
   if (text.contains('e', Qt::CaseInsensitive)) {
     bool read = false;
     const double value = text.toDouble(&read);

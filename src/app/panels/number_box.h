@@ -21,6 +21,13 @@ struct NumberRange {
   int decimals = 2;  ///< of numbers of usual size; smaller ones keep four figures
 };
 
+/// How a value reads beside its number.
+struct NumberNote {
+  QString instead = {};  ///< of the number: "auto", "no limit"; empty: the number
+  double length = 0;     ///< that 1 comes to, model units; 0: that isn't known, or is no other number
+  QString unit = {};     ///< of lengths: "mm", or empty
+};
+
 /// A box for numbers of any size, as number_words shows them.
 class NumberBox : public QDoubleSpinBox {
  public:
@@ -31,7 +38,12 @@ class NumberBox : public QDoubleSpinBox {
   QValidator::State validate(QString& text, int& position) const override;
   void stepBy(int steps) override;
 
+  /// Shows a value as "0.2 (2.4 mm)", "auto (2.4 mm)", "no limit". The note stays when people give another value.
+  void show_value(double value, const NumberNote& note);
+
  private:
+  NumberNote note_;
+  double noted_ = 0;  ///< the value that `instead` is for
   int shown_decimals_;
 };
 

@@ -391,8 +391,7 @@ std::function<void()> add_panels(MainWindow& window) {
   return [&window, objects, attributes, findings, placement, hint] {
     const Studio& studio = window.studio();
     hint->setVisible(studio.active() == nullptr);
-    const Node* operation = active_operation(studio);
-    attributes->show_node(operation, operation == nullptr ? nullptr : studio.description(operation->operation));
+    attributes->show_node(studio, active_operation(studio));
     placement->follow(studio);
     show_lists(window, objects, findings);
   };

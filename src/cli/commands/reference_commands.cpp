@@ -30,6 +30,7 @@ Report describe_parameter(const ParameterDescription& parameter) {
   }
   if (!parameter.choices.empty()) entry.set("choices", Report::list(parameter.choices));
   if (!parameter.choice_titles.empty()) entry.set("choice_titles", Report::list(parameter.choice_titles));
+  if (!parameter.default_title.empty()) entry.set("default_title", parameter.default_title);
   entry.set("title", title_of(parameter)).set("unit", parameter.unit).set("sentence", parameter.sentence);
   return entry;
 }

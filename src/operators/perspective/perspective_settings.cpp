@@ -80,10 +80,11 @@ void list_perspective_parameters(PerspectiveSettings& settings, ParameterList& l
       .titled("Vanishing points", {"found", "1", "2", "3"});
   list.angle("smooth-angle", settings.smooth_angle, 2, 30,
              "Strokes and faces that turn less go on smoothly into each other.")
-      .titled("Smooth below");
-  list.number("tolerance", settings.solid.tessellation.chord_tolerance, 0.00001, 0.01, "× the solid's diagonal",
+      .titled("Smooth below", {"sharp", "round"});
+  list.number("tolerance", settings.solid.tessellation.chord_tolerance, 0.00001, 0.01,
+              {"× the solid's diagonal", ParameterLength::Output},
               "Greatest distance of the mesh from the surfaces: smaller is finer.")
-      .titled("Detail");
+      .titled("Detail", {"fine", "coarse"});
   list.text("known-point", "", "A place of the drawing and its coordinates in space: U,V=X,Y,Z.",
             [&](const std::string& text) {
               if (!text.empty()) settings.known_point = read_known_point(text);
@@ -94,6 +95,7 @@ void list_perspective_parameters(PerspectiveSettings& settings, ParameterList& l
   });
   list.number("field-of-view", settings.field_of_view, 170, "degrees",
               "Across the width of the sheet, where it is known; 0 where it isn't.")
+      .or_else("auto")
       .at(ParameterPlace::Expert);
   list.flag("flip", settings.network.camera.turn_round, "x and y point the other way; a drawing doesn't show which.")
       .titled("Turn x and y round")

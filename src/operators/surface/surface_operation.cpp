@@ -54,9 +54,10 @@ void list_surface_parameters(SurfaceSettings& settings, ParameterList& list) {
   list.integer("samples", settings.tessellation.samples, 1, 1024, "",
                "Parts of each curve, and rings of triangles around the middle of each face.")
       .titled("Edges along a curve");
-  list.number("tolerance", settings.tessellation.tolerance, 1e9, "model units",
+  list.number("tolerance", settings.tessellation.tolerance, 1e9, {"model units", ParameterLength::Model},
               "Greatest distance of the mesh from the surface: as few triangles as keep to it; 0: rings of triangles.")
-      .titled("Off the surface by at most");
+      .titled("Off the surface by at most")
+      .or_else("no limit");
 }
 
 void append_all(const Findings& more, Findings& all) { all.insert(all.end(), more.begin(), more.end()); }

@@ -55,14 +55,15 @@ void list_surface_patch_parameters(SurfacePatchSettings& settings, ParameterList
       .titled("Corner above");
   list.integer("sides", options.sides, 0, 12, "",
                "Sides that a rim is divided into, 3 to 12; 0 for as many as it has corners.")
-      .titled("Sides");
+      .titled("Sides")
+      .or_else("auto");
   list.text("fullness", "auto",
             "How far slopes at the rim reach into the patch, -1 to 2; auto finds the height that the rim lets expect.",
             [&](const std::string& text) { options.fullness = fullness_of_patch(text); })
       .at(ParameterPlace::Expert);
-  list.number("density", options.density, 0.1, 10, "× mean edge of the rim",
+  list.number("density", options.density, 0.1, 10, {"× mean edge of the rim", ParameterLength::Inner},
               "Edges inside the patch: smaller is finer.")
-      .titled("Edges");
+      .titled("Edges", {"fine", "coarse"});
 }
 
 /// The holes that are to be closed, in their order.
