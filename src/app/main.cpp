@@ -2,13 +2,19 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QFile>
 #include <QJsonDocument>
 #include <QSurfaceFormat>
+#include <QWindow>
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <optional>
 
+#include <unistd.h>
+
 #include "app/replay/replay_player.h"
+#include "app/views/viewport.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
@@ -27,7 +33,8 @@ struct LaunchOptions {
   QString replay;      ///< --replay: play, then quit unless `stay`
   QString record;      ///< --record: append what is done to this recording
   bool stay = false;
-  bool stalls = false;  ///< --stalls: print the longest ones at the end
+  bool stalls = false;          ///< --stalls: print the longest ones at the end
+  bool startup_report = false;  ///< --startup-report: print how long the start took, quit
 };
 
 constexpr int wrong_usage = 2;
@@ -45,6 +52,7 @@ void describe(QCommandLineParser& parser) {
   parser.addOption({"record", "Append whatever is done to this recording.", "file"});
   parser.addOption({"stay", "Keep the window open after a replay."});
   parser.addOption({"stalls", "At the end, print how long the window was busy at most, and with what, as JSON."});
+  parser.addOption({"startup-report", "Print how many milliseconds the start took, as JSON, then quit."});
   parser.addOption({"software-gl", "Draw without the graphics card."});
 }
 
@@ -72,9 +80,9 @@ std::optional<LaunchOptions> parse_command_line(const QStringList& arguments, in
     std::printf("croquis %s\n", qPrintable(QCoreApplication::applicationVersion()));
     return std::nullopt;
   }
-  LaunchOptions options{parser.positionalArguments(), parser.value("new"),    parser.value("screenshot"),
-                        parser.value("replay"),       parser.value("record"), parser.isSet("stay"),
-                        parser.isSet("stalls")};
+  LaunchOptions options{parser.positionalArguments(), parser.value("new"),           parser.value("screenshot"),
+                        parser.value("replay"),       parser.value("record"),        parser.isSet("stay"),
+                        parser.isSet("stalls"),       parser.isSet("startup-report")};
   const QStringList kinds{"silhouette", "perspective", "surface"};
   if (!options.new_kind.isEmpty() && !kinds.contains(options.new_kind)) {
     refuse("--new takes silhouette, perspective or surface; \"" + options.new_kind + "\" is not built yet");
@@ -122,15 +130,58 @@ int save_screenshot(MainWindow& window, const QString& path) {
   return 0;
 }
 
+/// Since the system began this process, in steps of 10 ms: loading its libraries counts, too.
+double process_ms() {
+  QFile file("/proc/self/stat");
+  const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  constexpr qsizetype start_field = 19;  // of those that follow the program's name in brackets
+  const double ticks = text.mid(text.lastIndexOf(')') + 2).split(' ').value(start_field).toDouble();
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return 1e3 * (static_cast<double>(now.tv_sec) - ticks / static_cast<double>(sysconf(_SC_CLK_TCK))) +
+         1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// When they were first seen, in milliseconds from the process's start; 0: not yet.
+struct Startup {
+  double window = 0, view = 0;
+};
+
+void follow_startup(MainWindow& window, Startup& startup) {
+  while (!window.windowHandle()->isExposed()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  startup.window = process_ms();
+  QObject::connect(&window.viewport(), &QOpenGLWidget::frameSwapped, &window, [&] {
+    if (startup.view == 0 && window.shows_views()) startup.view = process_ms();
+  });
+}
+
+/// Waits until all is there that a stroke needs. A sketch is begun where nothing else was.
+int report_startup(MainWindow& window, const Startup& startup) {
+  if (!window.shows_views()) window.start_with();
+  try {
+    wait_until_settled(window);
+    if (startup.view == 0) {
+      throw croquis::Error(make_error(croquis::Category::Internal, "E_GL", "No view was drawn; try --software-gl"));
+    }
+  } catch (const croquis::Error& error) {
+    return print_findings(error.findings());
+  }
+  std::printf("{\"window_ms\": %.0f, \"view_ms\": %.0f, \"ready_ms\": %.0f}\n", startup.window, startup.view,
+              process_ms());
+  return 0;
+}
+
 int run(const LaunchOptions& options) {
+  Startup startup;
   MainWindow window(state_folder());
-  const bool unattended = !options.screenshot.isEmpty() || !options.replay.isEmpty();
+  const bool unattended = !options.screenshot.isEmpty() || !options.replay.isEmpty() || options.startup_report;
   if (unattended) {
     window.set_unattended();
   } else {
     remember_layout(window);
   }
   window.show();
+  if (options.startup_report) follow_startup(window, startup);
   if (!options.record.isEmpty() && !window.attempt([&] { window.record_to(options.record); })) {
     return print_findings(window.last_findings());
   }
@@ -145,6 +196,7 @@ int run(const LaunchOptions& options) {
   int exit_code = 0;
   if (!options.replay.isEmpty()) exit_code = play_file(window, options.replay, options.stay);
   if (exit_code == 0 && !options.screenshot.isEmpty()) exit_code = save_screenshot(window, options.screenshot);
+  if (exit_code == 0 && options.startup_report) exit_code = report_startup(window, startup);
   if (!unattended) {
     offer_first_choices(window);
     exit_code = QApplication::exec();

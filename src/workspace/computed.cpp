@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "croquis/base/error.h"
 #include "croquis/workspace/chain.h"
 
 namespace croquis {
@@ -13,6 +14,27 @@ namespace {
 bool is_error(const Finding& finding) { return finding.severity == Severity::Error; }
 
 bool is_waiting(const Finding& finding) { return finding.code == "E_INPUT_FAILED"; }
+
+/// A value of a type that the object's chain gives on its way, nearest to its end, and where it belongs.
+std::pair<Value, Affine3> unmoved_along(const Workspace& workspace, const WorkObject& object, ValueType type) {
+  Affine3 later = object.placement.map();
+  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
+    const Node* node = workspace.session().document().find(*id);
+    if (node == nullptr) return {};
+    if (node->source) {
+      if (node->source->type() != type) return {};
+      return {*node->source, composed(later, node->transform)};
+    }
+    const auto found = workspace.result(*id);
+    if (found != nullptr && !found->failed && found->quality == Quality::Final) {
+      for (const auto& [port, value] : found->outputs) {
+        if (value.type() == type && value.has_content()) return {value, later};
+      }
+    }
+    later = composed(later, node->transform);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -50,22 +72,12 @@ void compute(Workspace& workspace, const Document& document, NodeId id) {
 }
 
 Value value_along(const Workspace& workspace, const WorkObject& object, ValueType type) {
-  Affine3 later = object.placement.map();
-  for (auto id = object.chain.rbegin(); id != object.chain.rend(); ++id) {
-    const Node* node = workspace.session().document().find(*id);
-    if (node == nullptr) return {};
-    if (node->source) {
-      return node->source->type() == type ? node->source->transformed(composed(later, node->transform)) : Value();
-    }
-    const auto found = workspace.result(*id);
-    if (found != nullptr && !found->failed && found->quality == Quality::Final) {
-      for (const auto& [port, value] : found->outputs) {
-        if (value.type() == type && value.has_content()) return value.transformed(later);
-      }
-    }
-    later = composed(later, node->transform);
-  }
-  return {};
+  const auto [value, later] = unmoved_along(workspace, object, type);
+  return value.transformed(later);
+}
+
+bool has_value_along(const Workspace& workspace, const WorkObject& object, ValueType type) {
+  return unmoved_along(workspace, object, type).first.has_content();
 }
 
 bool has_cage(const Workspace& workspace) {

@@ -324,3 +324,42 @@ TEST_CASE("what is exported is named with its place, and its folder can be opene
   }
   QDesktopServices::unsetUrlHandler("file");
 }
+
+TEST_CASE("increments are saved under the next free number, and what has no file yet is asked for one", "[files]") {
+  StudioFixture hand;
+  const auto file = [&](const char* name) { return hand.folder() + "/" + name; };
+  draw_ring(hand, 20);
+  QString proposed;
+  in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+    proposed = dialog.selectedFiles().value(0);
+    dialog.reject();
+  });
+  hand.act("save-increment");
+  CHECK(proposed.endsWith("Sketch.croq"));
+  CHECK(hand.window().files().path().isEmpty());
+
+  // Of the percent signs none is a place for the number.
+  hand.window().files().save(file("ring %1.croq"));
+  write_file(file("ring %1_002.croq"), "of somebody else");
+  std::vector<QByteArray> saved{bytes_of(file("ring %1.croq"))};
+  for (const char* name : {"ring %1_001.croq", "ring %1_003.croq", "ring %1_004.croq"}) {
+    draw_ring(hand, 30.0 + 20.0 * static_cast<double>(saved.size()));
+    hand.act("save-increment");
+    CHECK(hand.window().files().path() == file(name));
+    CHECK(hand.window().windowTitle().contains(name));
+    CHECK(!hand.studio().session().modified());
+    for (const QByteArray& earlier : saved) CHECK(bytes_of(file(name)) != earlier);
+    saved.push_back(bytes_of(file(name)));
+  }
+  CHECK(bytes_of(file("ring %1.croq")) == saved[0]);
+  CHECK(bytes_of(file("ring %1_001.croq")) == saved[1]);
+  CHECK(bytes_of(file("ring %1_002.croq")) == "of somebody else");
+  CHECK(bytes_of(file("ring %1_003.croq")) == saved[2]);
+  CHECK(QDir(hand.folder()).entryList({"*.croq*"}).size() == 5);
+
+  // A name's own number goes on, as wide as it is.
+  hand.window().files().save(file("door_9.croq"));
+  hand.act("save-increment");
+  CHECK(hand.window().files().path() == file("door_10.croq"));
+  CHECK(warnings_of(file("door_10.croq")).empty());
+}

@@ -35,6 +35,9 @@ void compute(Workspace& workspace, const Document& document, NodeId node);
 /// computed to the end.
 Value value_along(const Workspace& workspace, const WorkObject& object, ValueType type);
 
+/// Whether value_along has content. Moves nothing: of large meshes that takes long.
+bool has_value_along(const Workspace& workspace, const WorkObject& object, ValueType type);
+
 /// Some object has elements that can be edited.
 bool has_cage(const Workspace& workspace);
 

@@ -164,7 +164,7 @@ std::vector<const OperationDescription*> result_exports(const Studio& studio) {
 bool can_export(const Studio& studio, const OperationDescription& operation) {
   const WorkObject* object = studio.active();
   const PortDescription* input = main_input(operation);
-  return object != nullptr && input != nullptr && value_along(studio, *object, input->type).has_content();
+  return object != nullptr && input != nullptr && has_value_along(studio, *object, input->type);
 }
 
 Findings export_result(const Studio& studio, const OperationDescription& operation, const QString& path) {

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
 #include <array>
@@ -271,6 +272,21 @@ QStringList recent_files() {
     if (QFileInfo::exists(path)) existing << path;
   }
   return existing;
+}
+
+QString next_increment(const QString& path) {
+  static const QRegularExpression numbered(QStringLiteral("^(.*)_([0-9]{1,9})$"));
+  const QFileInfo file(path);
+  const QString name = file.completeBaseName();
+  const QRegularExpressionMatch found = numbered.match(name);
+  const QString stem = found.hasMatch() ? found.captured(1) : name;
+  const auto digits = found.hasMatch() ? static_cast<int>(found.capturedLength(2)) : 3;
+  QFileInfo next;
+  qlonglong number = found.captured(2).toLongLong();
+  do {
+    next.setFile(file.dir(), stem + '_' + QString::number(++number).rightJustified(digits, '0') + ".croq");
+  } while (next.exists() || next.isSymLink());
+  return next.filePath();
 }
 
 void discard(const RecoveryOffer& offer) { croquis::discard(local(offer.file)); }

@@ -114,6 +114,10 @@ void open_now(ProjectFiles& files, const QString& path, bool replaces = false, P
 /// Files that were opened or saved and are still there, the last one first.
 QStringList recent_files();
 
+/// The project's name with the next number that no file has: of name.croq name_001.croq, of name_007.croq
+/// name_008.croq.
+QString next_increment(const QString& path);
+
 /// Removes work that a crash left behind. @throws Error where it can't be removed: then it stays in the list
 void discard(const RecoveryOffer& offer);
 

@@ -158,15 +158,20 @@ void draw_views(ViewPictures& pictures, const std::optional<Ink>& ink) {
   pictures.affordable = static_cast<double>(watch.elapsed()) * (fine ? 1 : fine_by_coarse) < affordable_ms;
 }
 
-/// Once for each document a coarse frame is drawn again, with all that it needs made: it shows what a fine one would
-/// take. Without a graphics card that can be seconds.
-void measure(ViewPictures& pictures) {
+/// After a pause the views become finer. Where there are many more triangles than before, a coarse frame is drawn once
+/// more first, with all that it needs made: it shows what a fine one would take. Without a graphics card that can be
+/// seconds.
+void refine(ViewPictures& pictures) {
+  std::size_t triangles = 0;
+  for (const PaneState& state : pictures.states) triangles += state.triangles;
+  if (triangles <= 2 * pictures.measured) return settle(pictures, pictures.affordable);
+  pictures.measured = triangles;
   pictures.measuring = true;
+  settle(pictures, false);
   for (PaneState& state : pictures.states) {
     state.drawn = false;
     state.picture.reset();
   }
-  pictures.views.widget.update();
   pictures.pause.start(settle_ms);
 }
 
@@ -265,8 +270,7 @@ void InkSheet::draw_new_ink(render::Renderer& renderer, const std::vector<Stroke
 ViewPictures::ViewPictures(Views& shown) : views(shown) {
   pause.setSingleShot(true);
   patience.setSingleShot(true);
-  QObject::connect(&pause, &QTimer::timeout, &pause,
-                   [this] { std::exchange(measured, true) ? settle(*this, affordable) : measure(*this); });
+  QObject::connect(&pause, &QTimer::timeout, &pause, [this] { refine(*this); });
   QObject::connect(&patience, &QTimer::timeout, &pause, [this] {
     stale = true;
     emit views.changed();
@@ -280,7 +284,7 @@ ViewPictures::ViewPictures(Views& shown) : views(shown) {
   QObject::connect(&views.studio, &Studio::busy_changed, &pause, [this](bool busy) { follow_busy(*this, busy); });
   QObject::connect(&views.studio, &Studio::loaded, &pause, [this] {
     affordable = true;
-    measured = false;
+    measured = 0;
   });
 }
 

@@ -88,7 +88,7 @@ struct ViewPictures {
   int sheet_view = SketchView;  ///< that the sheet shows
   bool uploading = false;       ///< some view waits for the graphics card
   bool affordable = true;       ///< a fine frame is quick enough to go unnoticed
-  bool measured = false;        ///< … as a coarse frame of this document has shown
+  std::size_t measured = 0;     ///< … as a coarse frame of that many triangles has shown
   bool measuring = false;       ///< the next frame is that one
   bool stale = false;           ///< what is out of date has been for longer: it is shown faded
   QTimer pause;                 ///< after it the views are drawn once more, finer

@@ -57,6 +57,13 @@ void Viewport::initializeGL() {
 
 void Viewport::resizeGL(int, int) { lay_out(views_); }
 
+/// By itself it would draw at each of the sizes that it gets while panels come and go; now it does at the last one.
+void Viewport::resizeEvent(QResizeEvent* event) {
+  setUpdatesEnabled(false);
+  QOpenGLWidget::resizeEvent(event);
+  setUpdatesEnabled(true);
+}
+
 void Viewport::paintGL() {
   if (draw(pictures_)) chips_.place(views_);
   const double since = std::exchange(input_.waiting_since_ms, -1);

@@ -36,6 +36,7 @@ class Viewport : public QOpenGLWidget {
  protected:
   void initializeGL() override;
   void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
   void paintGL() override;
   bool event(QEvent* event) override;
 

@@ -145,12 +145,13 @@ void enable_groups(MainWindow& window, bool enabled) {
 void enter_views(MainWindow& window) {
   WindowParts& parts = window.parts();
   parts.thumbnails->stop();
-  parts.pages->setCurrentWidget(parts.viewport);
   enable_groups(window, true);
+  // The views come last: each change of their size costs a picture.
   window.findChild<QToolBar*>("tools")->show();
+  parts.docks->show_all(true);
+  parts.pages->setCurrentWidget(parts.viewport);
   // Other bars are shown now: later it would move the views under the pen.
   for (const auto& tool : parts.tools) tool->refresh();
-  parts.docks->show_all(true);
   parts.viewport->setFocus();
   window.refresh();
 }

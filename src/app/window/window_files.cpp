@@ -121,6 +121,12 @@ bool ask_save(MainWindow& window) {
   return ask_save_as(window, rescue.isEmpty() ? proposed_path(window.parts(), name) : rescue);
 }
 
+/// Of what has no file yet, it is asked where to save.
+void save_increment(MainWindow& window) {
+  const QString& path = window.files().path();
+  path.isEmpty() ? ask_save(window) : save_to(window, next_increment(path));
+}
+
 /// What was written, and what the format can't hold.
 void say_written(WindowParts& parts, const QString& path, const Findings& lost = {}, const QString& summary = {}) {
   parts.folder = QFileInfo(path).absolutePath();
@@ -339,6 +345,7 @@ void add_file_menu(MainWindow& window) {
   add("save", QObject::tr("Save"), QKeySequence::Save, ask_save);
   add("save-as", QObject::tr("Save as…"), QKeySequence::SaveAs,
       [](MainWindow& of) { ask_save_as(of, of.files().path()); });
+  add("save-increment", QObject::tr("Save increment"), QKeySequence("Ctrl+Alt+S"), save_increment);
   menu->addSeparator();
   add_exports(window, menu);
   menu->addSeparator();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QThread>
@@ -146,4 +148,22 @@ TEST_CASE("a replay draws, waits, expects and saves; a failed expectation names 
   CHECK(wrong.errors.contains("Line 2"));
   write(folder.filePath("broken.jsonl"), "{\"do\":\"dance\"}\n");
   CHECK(studio({"--replay", folder.filePath("broken.jsonl")}).exit_code == 3);
+}
+
+TEST_CASE("a report of the start says when the window, a view and the pen were there, one after the other",
+          "[launch]") {
+  for (const QStringList& what : {QStringList(), {sketch("trefoil.svg")}, {"--new", "perspective"}}) {
+    const Finished done = studio(QStringList{"--startup-report", "--software-gl"} + what);
+    INFO(done.errors.toStdString() << done.output.toStdString());
+    CHECK(done.exit_code == 0);
+    const QJsonObject report = QJsonDocument::fromJson(done.output.toUtf8()).object();
+    CHECK(report.size() == 3);
+    double before = 1;
+    for (const char* key : {"window_ms", "view_ms", "ready_ms"}) {
+      REQUIRE(report[key].isDouble());
+      CHECK(report[key].toDouble() >= before);
+      before = report[key].toDouble();
+    }
+  }
+  CHECK(studio({"--startup-report", "no-such-file.svg"}).exit_code == 3);
 }
