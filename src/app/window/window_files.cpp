@@ -26,7 +26,6 @@
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "croquis/base/error.h"
-#include "croquis/geometry/attribute_network.h"
 #include "croquis/io/mesh_file.h"
 #include "croquis/tools/perspective/sheet_units.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -158,7 +157,7 @@ bool is_surface(const Studio& studio, const MeshExport& wanted) {
   return wanted.objects == MeshExport::Objects::Picked &&
          std::ranges::all_of(picked_or_active(studio), [&](NodeId node) {
            const WorkObject* object = studio.object(node);
-           return object != nullptr && value_along(studio, *object, ValueType::AttributeNetwork).as<AttributeNetwork>();
+           return object != nullptr && has_value_along(studio, *object, ValueType::AttributeNetwork);
          });
 }
 
