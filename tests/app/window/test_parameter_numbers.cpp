@@ -191,7 +191,7 @@ TEST_CASE("words at the ends of sliders are in the language in use and have thei
         panel.show_node(studio, &node);
         panel.resize(static_cast<int>(297 * scale), 900);  // as in a window of 1280 x 720
         panel.show();
-        QApplication::processEvents();
+        for (int round = 0; round < 6; ++round) QApplication::processEvents();  // layouts follow one another
         for (const ParameterDescription& parameter : operation.parameters) {
           app::ParameterField* field = panel.field(parameter.name);
           if (parameter.type != ParameterType::Number || field == nullptr) continue;
