@@ -35,6 +35,7 @@ void add_ends(QSlider* slider, QHBoxLayout* row, const std::vector<std::string>&
   constexpr double small = 0.8;
   auto* grid = new QGridLayout;
   grid->setVerticalSpacing(0);
+  grid->setHorizontalSpacing(4);
   row->removeWidget(slider);
   row->insertLayout(0, grid, 1);
   grid->addWidget(slider, 0, 0, 1, 2);

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -52,6 +53,14 @@ Node node_of(const OperationDescription& operation) {
   node.id = 1;
   node.operation = operation.id;
   return node;
+}
+
+void save_picture(StudioFixture& hand, const char* name) {
+  if (!qEnvironmentVariableIsSet("CROQUIS_PICTURES")) return;
+  hand.window().resize(1280, 720);
+  hand.window().findChild<QDockWidget*>("attributes-dock")->raise();
+  QApplication::processEvents();
+  hand.window().grab().save(qEnvironmentVariable("CROQUIS_PICTURES") + "/numbers-" + name + ".png");
 }
 
 }  // namespace
@@ -132,6 +141,20 @@ TEST_CASE("a number replaces auto, resetting and undo give it back", "[numbers]"
   CHECK_FALSE(is_given());
 }
 
+TEST_CASE("the length of a solid in perspective is in the drawing's unit", "[numbers]") {
+  StudioFixture hand;
+  REQUIRE(hand.window().open(CROQUIS_SOURCE_DIR "/examples/data/perspective/camera.svg"));
+  hand.settle();
+  auto* detail = box_of(hand, "tolerance");
+  REQUIRE(detail != nullptr);
+  const double size = diagonal_of(hand.studio().own_bounds(*hand.studio().active()));
+  CHECK(detail->text().startsWith("auto ("));
+  CHECK(length_in(detail->text()) == Approx(0.0005 * size).epsilon(0.05));
+  const QString unit = QString::fromStdString(hand.studio().unit());
+  CHECK(detail->text().endsWith(unit.isEmpty() ? ")" : " " + unit + ")"));
+  save_picture(hand, "perspective");
+}
+
 TEST_CASE("choices and flags are reset, too", "[numbers]") {
   StudioFixture hand;
   open_scan(hand, ball_with_holes());
@@ -140,6 +163,7 @@ TEST_CASE("choices and flags are reset, too", "[numbers]") {
   REQUIRE(weld != nullptr);
   CHECK(weld->text().startsWith("auto ("));
   CHECK(box_of(hand, "max-diameter")->text() == "no limit");
+  save_picture(hand, "scan");
   auto* panel = hand.window().findChild<app::AttributePanel*>("attributes");
   const NodeId step = hand.studio().active()->node;
   const auto parameters = [&] { return hand.studio().session().document().find(step)->parameters; };
@@ -165,9 +189,9 @@ TEST_CASE("words at the ends of sliders are in the language in use and have thei
         const Node node = node_of(operation);
         app::AttributePanel panel;
         panel.show_node(studio, &node);
-        panel.resize(static_cast<int>(285 * scale), 900);
+        panel.resize(static_cast<int>(297 * scale), 900);  // as in a window of 1280 x 720
         panel.show();
-        QApplication::processEvents();
+        for (int round = 0; round < 6; ++round) QApplication::processEvents();  // layouts follow one another
         for (const ParameterDescription& parameter : operation.parameters) {
           app::ParameterField* field = panel.field(parameter.name);
           if (parameter.type != ParameterType::Number || field == nullptr) continue;
