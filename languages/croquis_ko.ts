@@ -88,6 +88,14 @@
         <translation>작업이 백업되지 않고 있습니다: %1.</translation>
     </message>
     <message>
+        <source>auto</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Reset to default</source>
+        <translation>기본값으로 재설정</translation>
+    </message>
+    <message>
         <source>Unit: %1</source>
         <translation>단위: %1</translation>
     </message>
@@ -2984,6 +2992,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>다른 이름으로 저장…</translation>
     </message>
     <message>
+        <source>Save increment</source>
+        <translation>증분 저장</translation>
+    </message>
+    <message>
         <source>Quit</source>
         <translation>종료</translation>
     </message>
@@ -3408,6 +3420,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>휘어짐에 드는 비용입니다. 높으면 길고 완만한 호가 됩니다.</translation>
     </message>
     <message>
+        <source>wavy</source>
+        <translation>굽이지게</translation>
+    </message>
+    <message>
         <source>Keep flat</source>
         <translation>평평하게 유지</translation>
     </message>
@@ -3416,12 +3432,28 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>기울어짐에 드는 비용입니다. 높으면 부위가 평평하게 유지됩니다.</translation>
     </message>
     <message>
+        <source>tilted</source>
+        <translation>기울게</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>평평하게</translation>
+    </message>
+    <message>
         <source>Keep near the plane</source>
         <translation>평면 가까이 유지</translation>
     </message>
     <message>
         <source>How much depth costs: high keeps parts near the plane.</source>
         <translation>깊이에 드는 비용입니다. 높으면 부위가 평면 가까이에 유지됩니다.</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>깊게</translation>
+    </message>
+    <message>
+        <source>shallow</source>
+        <translation>얕게</translation>
     </message>
     <message>
         <source>Gap between parts</source>
@@ -3436,6 +3468,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>× 부위 반지름 중앙값</translation>
     </message>
     <message>
+        <source>narrow</source>
+        <translation>좁게</translation>
+    </message>
+    <message>
+        <source>wide</source>
+        <translation>넓게</translation>
+    </message>
+    <message>
         <source>Smallest detail</source>
         <translation>최소 디테일</translation>
     </message>
@@ -3446,6 +3486,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>‰ of the drawing's diagonal</source>
         <translation>‰ (그림 대각선 기준)</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>세밀</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>거침</translation>
     </message>
     <message>
         <source>Lines on the body</source>
@@ -3530,6 +3578,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>degrees</source>
         <translation>도</translation>
+    </message>
+    <message>
+        <source>sharp</source>
+        <translation>각지게</translation>
     </message>
     <message>
         <source>Greatest distance of the mesh from the surfaces: smaller is finer.</source>
@@ -3772,6 +3824,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>모델 단위</translation>
     </message>
     <message>
+        <source>no limit</source>
+        <translation>제한 없음</translation>
+    </message>
+    <message>
         <source>Surface Cage</source>
         <translation>서피스 케이지</translation>
     </message>
@@ -3948,6 +4004,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>/ (에지 길이 중앙값)²</translation>
     </message>
     <message>
+        <source>unchanged</source>
+        <translation>그대로</translation>
+    </message>
+    <message>
         <source>Level that is looked at</source>
         <translation>평가 레벨</translation>
     </message>
@@ -4052,6 +4112,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>× 대각선</translation>
     </message>
     <message>
+        <source>strict</source>
+        <translation>엄격하게</translation>
+    </message>
+    <message>
+        <source>loose</source>
+        <translation>느슨하게</translation>
+    </message>
+    <message>
         <source>Requests for single holes: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. Words: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.</source>
         <translation>개별 구멍에 대한 지정입니다: '3: leave; 5-7: flat, bulge 0.4; 4: through 1 2 3; 2+9: bridge'. 사용할 수 있는 단어: fill, leave, bridge, rbf, smooth, flat, kernel NAME, bulge -1..1, trim 0..3, through X Y Z.</translation>
     </message>
@@ -4070,10 +4138,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>continue the surface</source>
         <translation>서피스 이어 가기</translation>
-    </message>
-    <message>
-        <source>flat</source>
-        <translation>평평하게</translation>
     </message>
     <message>
         <source>The functions of rbf: hermite takes normals along, the others points beside the surface; thin-plate with the preset paper.</source>
@@ -4122,6 +4186,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Turns the surface at the rims outwards, or inwards below 0.</source>
         <translation>구멍 가장자리의 서피스를 바깥쪽으로, 0보다 작으면 안쪽으로 기울입니다.</translation>
+    </message>
+    <message>
+        <source>inwards</source>
+        <translation>안쪽으로</translation>
+    </message>
+    <message>
+        <source>outwards</source>
+        <translation>바깥쪽으로</translation>
     </message>
     <message>
         <source>Trim edge</source>
@@ -4202,6 +4274,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>× cell</source>
         <translation>× 셀</translation>
+    </message>
+    <message>
+        <source>many</source>
+        <translation>많게</translation>
+    </message>
+    <message>
+        <source>few</source>
+        <translation>적게</translation>
     </message>
     <message>
         <source>Most memory</source>
