@@ -289,33 +289,23 @@ void ObjectList::take_click(QTreeWidgetItem* row) {
 }
 
 void ObjectList::take_change(QTreeWidgetItem* row, int column) {
+  // Receivers show all rows again: not while one is still being changed.
+  const auto later = [this](auto work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); };
   const NodeId node = node_of(row);
   const QVariant group = row->data(0, group_role);
-  if (const auto part = renames_.find(row); part != renames_.end() && column == 0) {
-    QMetaObject::invokeMethod(
-        this, [rename = part->second, name = row->text(0).trimmed().toStdString()] { rename(name); },
-        Qt::QueuedConnection);
-    return;
-  }
+  const std::string name = row->text(0).toStdString();
+  if (const auto part = renames_.find(row); part != renames_.end() && column == 0)
+    return later([rename = part->second, name = row->text(0).trimmed().toStdString()] { rename(name); });
   if ((node == 0 && group.isNull()) || column != 0 || is_part(row)) return;
   const bool checked = row->checkState(0) == Qt::Checked;
-  // Receivers show all rows again.
-  if (is_step(row)) {
-    QMetaObject::invokeMethod(
-        this, [this, node, checked] { emit step_enabled(node, checked); }, Qt::QueuedConnection);
-    return;
-  }
+  if (is_step(row)) return later([this, node, checked] { emit step_enabled(node, checked); });
   // Shown names are not those of the document: only what was typed becomes one.
   const bool typed = row->text(0) != row->data(0, name_role).toString();
-  const std::string name = row->text(0).toStdString();
-  QMetaObject::invokeMethod(
-      this,
-      [this, node, name, typed, checked, group = group.toString().toStdString(), objects = objects_of(row)] {
-        if (typed && group.empty()) emit renamed(node, name);
-        if (typed && !group.empty()) emit group_renamed(group, name);
-        if (!typed) emit shown(objects, checked);
-      },
-      Qt::QueuedConnection);
+  later([this, node, name, typed, checked, group = group.toString().toStdString(), objects = objects_of(row)] {
+    if (typed && group.empty()) emit renamed(node, name);
+    if (typed && !group.empty()) emit group_renamed(group, name);
+    if (!typed) emit shown(objects, checked);
+  });
 }
 
 void ObjectList::take_opening(QTreeWidgetItem* row, bool opened) {

@@ -30,7 +30,7 @@ QString folder_of(SampleKind kind) { return kind == SampleKind::Network ? folder
 
 Sample sample_of(const QString& file, SampleKind kind) {
   const QString name = file.chopped(sample_endings.at(kind).size());
-  return {name, shown_text(capitalized(QString(name).replace('_', ' ')).toStdString()), kind};
+  return {name, capitalized(QString(name).replace('_', ' ')), kind};
 }
 
 constexpr QSize picture_size(336, 252);  // twice a tile's, for screens of two pixels a point

@@ -302,7 +302,9 @@ void retranslate(QWidget& window) {
 QString shown_text(const std::string& english) { return QCoreApplication::translate(context, english.c_str()); }
 
 QString with_numbers(const std::string& text, const QString& letters) {
-  const QRegularExpression id("(?<![\\w./\"'-])[" + letters + "](?=\\d+(?![\\w\"'-]|\\.\\w))");
+  static QHash<QString, QRegularExpression> ids;  // by their letters
+  QRegularExpression& id = ids[letters];
+  if (id.pattern().isEmpty()) id.setPattern("(?<![\\w./\"'-])[" + letters + "](?=\\d+(?![\\w\"'-]|\\.\\w))");
   return QString::fromStdString(text).remove(id);
 }
 

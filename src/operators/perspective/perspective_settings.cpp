@@ -75,9 +75,11 @@ void list_perspective_parameters(PerspectiveSettings& settings, ParameterList& l
   const auto strokes = [&](const char* name, const char* sentence, ParameterList::Read read) {
     list.list(name, sentence, std::move(read)).at(ParameterPlace::Nowhere);  // people set it at the strokes themselves
   };
+  // What the drawing itself says of its camera has fields in its own panel.
   list.choice("mode", settings.network.camera.mode, {"auto", "1", "2", "3"},
               "How many vanishing points aren't at infinity; auto takes the simplest that the lines agree with.")
-      .titled("Vanishing points", {"found", "1", "2", "3"});
+      .titled("Vanishing points", {"found", "1", "2", "3"})
+      .at(ParameterPlace::Nowhere);
   list.angle("smooth-angle", settings.smooth_angle, 2, 30,
              "Strokes and faces that turn less go on smoothly into each other.")
       .titled("Smooth below", {"sharp", "round"});
@@ -95,11 +97,10 @@ void list_perspective_parameters(PerspectiveSettings& settings, ParameterList& l
   });
   list.number("field-of-view", settings.field_of_view, 170, "degrees",
               "Across the width of the sheet, where it is known; 0 where it isn't.")
-      .or_else("auto")
-      .at(ParameterPlace::Expert);
+      .at(ParameterPlace::Nowhere);
   list.flag("flip", settings.network.camera.turn_round, "x and y point the other way; a drawing doesn't show which.")
       .titled("Turn x and y round")
-      .at(ParameterPlace::Expert);
+      .at(ParameterPlace::Nowhere);
   strokes("ignore", "A stroke that is left out.", [&](const std::string& text) { settings.ignored = items_of(text); });
   list.flag("fix", settings.fix, "Makes the first proposed change of a stroke that contradicts the others.")
       .at(ParameterPlace::Nowhere);
