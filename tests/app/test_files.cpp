@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFile>
@@ -7,11 +8,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QSettings>
 #include <QTextBrowser>
 #include <QTimer>
 #include <QToolButton>
+#include <functional>
 
 #include <catch2/catch.hpp>
 
@@ -323,6 +327,60 @@ TEST_CASE("what is exported is named with its place, and its folder can be opene
     CHECK(!folder->isVisible());
   }
   QDesktopServices::unsetUrlHandler("file");
+}
+
+TEST_CASE("the next export proposes the last format, and another one changes the ending of the proposed name",
+          "[files]") {
+  StudioFixture hand;
+  hand.draw(snake_sketch());
+  hand.settle();
+  const auto export_with = [&](const std::function<void(QFileDialog&)>& choose) {
+    in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+      choose(dialog);
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    hand.act("export-solid");
+  };
+  export_with([&](QFileDialog& dialog) { dialog.findChild<QLineEdit*>()->setText(hand.folder() + "/first.stl"); });
+  CHECK(QFile::exists(hand.folder() + "/first.stl"));
+  QString proposed, format;
+  export_with([&](QFileDialog& dialog) {
+    proposed = QFileInfo(dialog.selectedFiles().value(0)).fileName();
+    format = dialog.selectedNameFilter();
+    dialog.selectNameFilter("PLY (*.ply)");
+  });
+  CHECK(format == "STL (*.stl)");
+  CHECK(proposed.endsWith(".stl"));
+  CHECK(QFile::exists(hand.folder() + "/" + QFileInfo(proposed).completeBaseName() + ".ply"));
+  CHECK(!QFile::exists(hand.folder() + "/" + proposed));
+  QSettings().remove("export-format");
+}
+
+TEST_CASE("an open mesh is exported after a question, a surface from curves without", "[files]") {
+  for (const auto& [file, asks] : {std::pair{"surface/tri_point.json", 0}, {"pumpkin_scan.ply", 1}}) {
+    StudioFixture hand;
+    REQUIRE(hand.window().open(QString(CROQUIS_SOURCE_DIR "/examples/data/") + file));
+    hand.settle();
+    int asked = 0;
+    QTimer answers;
+    QObject::connect(&answers, &QTimer::timeout, [&] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      ++asked;
+      question->reject();
+    });
+    answers.start(20);
+    const QString path = hand.folder() + "/mesh.stl";
+    in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+      dialog.findChild<QLineEdit*>()->setText(path);
+      QMetaObject::invokeMethod(&dialog, "accept");
+    });
+    hand.act("export-solid");
+    INFO(file);
+    CHECK(asked == asks);
+    CHECK(QFile::exists(path) == (asks == 0));
+  }
+  QSettings().remove("export-format");
 }
 
 TEST_CASE("increments are saved under the next free number, and what has no file yet is asked for one", "[files]") {
