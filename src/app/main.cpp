@@ -107,7 +107,7 @@ void choose_graphics(int argc, char** argv) {
 /// Before the application object, too. What the environment says comes before the preferences.
 void apply_scale() {
   const int percent = kept_scale();
-  if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR") || percent == 100) return;
+  if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR") || qEnvironmentVariableIsSet("QT_FONT_DPI")) return;
   // Qt 6.4 leaves panels beside OpenGL views empty where a point is less than a pixel; so letters get smaller alone.
   constexpr int letters_dpi = 96;
   if (percent < 100) qputenv("QT_FONT_DPI", QByteArray::number(letters_dpi * percent / 100));

@@ -293,7 +293,6 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   const auto later = [this](auto work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); };
   const NodeId node = node_of(row);
   const QVariant group = row->data(0, group_role);
-  const std::string name = row->text(0).toStdString();
   if (const auto part = renames_.find(row); part != renames_.end() && column == 0)
     return later([rename = part->second, name = row->text(0).trimmed().toStdString()] { rename(name); });
   if ((node == 0 && group.isNull()) || column != 0 || is_part(row)) return;
@@ -301,7 +300,8 @@ void ObjectList::take_change(QTreeWidgetItem* row, int column) {
   if (is_step(row)) return later([this, node, checked] { emit step_enabled(node, checked); });
   // Shown names are not those of the document: only what was typed becomes one.
   const bool typed = row->text(0) != row->data(0, name_role).toString();
-  later([this, node, name, typed, checked, group = group.toString().toStdString(), objects = objects_of(row)] {
+  later([this, node, typed, checked, name = row->text(0).toStdString(), group = group.toString().toStdString(),
+         objects = objects_of(row)] {
     if (typed && group.empty()) emit renamed(node, name);
     if (typed && !group.empty()) emit group_renamed(group, name);
     if (!typed) emit shown(objects, checked);
