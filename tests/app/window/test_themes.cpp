@@ -240,6 +240,9 @@ TEST_CASE("the scale is kept, and applied when the program starts", "[themes]") 
   qputenv("QT_SCALE_FACTOR", "1");  // comes before what is kept
   const QImage normal = shown();
   qunsetenv("QT_SCALE_FACTOR");
+  qputenv("QT_FONT_DPI", "96");  // so does this one
+  CHECK(ink_of_panels(shown()) > 0.9 * ink_of_panels(normal));
+  qunsetenv("QT_FONT_DPI");
   app::keep_scale(150);
   const QImage large = shown();
   CHECK(small.size() == normal.size());
