@@ -44,9 +44,9 @@ PartShape shape_of(const Drawing& drawing, const InflatedObject& object) {
   const Vec2 middle = sum / length;
   const Eigen::Matrix2d spread = squares / length - middle * middle.transpose();
   const double mean = spread.trace() / 2;
-  const double apart = std::sqrt(std::max(0.0, mean * mean - spread.determinant()));
+  const double gap = std::sqrt(std::max(0.0, mean * mean - spread.determinant()));
   shape.area = std::sqrt(std::max(0.0, spread.determinant()));
-  shape.stretch = std::sqrt((mean + apart) / std::max(mean - apart, 1e-12 * mean));
+  shape.stretch = std::sqrt((mean + gap) / std::max(mean - gap, 1e-12 * mean));
   return shape;
 }
 
