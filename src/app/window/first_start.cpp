@@ -68,7 +68,8 @@ class NavigationCard : public QAbstractButton {
   NavigationCard(const NavigationChoice& choice, QWidget* parent) : QAbstractButton(parent), preset_(choice.preset) {
     setObjectName(QStringLiteral("navigate-") + choice.name);
     setText(choice.title);
-    setAccessibleName(choice.title + ": " + choice.sentence);
+    setAccessibleName(choice.title);
+    setAccessibleDescription(choice.sentence);
     setCheckable(true);
     setFixedSize(3 * use_size.width() + 2 * card_inset, use_size.height() + card_title_height + 2 * card_inset);
   }

@@ -229,8 +229,8 @@ Composed& composed_texts() {
 void translate_properties(QObject& object) {
   // What people type isn't the window's.
   const bool typed = qobject_cast<QLineEdit*>(&object) != nullptr || qobject_cast<QTextEdit*>(&object) != nullptr;
-  constexpr std::array names{"text",    "iconText",  "title",          "windowTitle",     "placeholderText",
-                             "toolTip", "statusTip", "accessibleName", "specialValueText"};
+  constexpr std::array names{"text",    "iconText",  "title",          "windowTitle",      "placeholderText",
+                             "toolTip", "statusTip", "accessibleName", "specialValueText", "accessibleDescription"};
   for (const char* name : names) {
     if (typed && qstrcmp(name, "text") == 0) continue;
     const QVariant value = object.property(name);

@@ -30,6 +30,7 @@
 #include "app/window/help_pages.h"
 #include "app/window/language.h"
 #include "app/window/panel_docks.h"
+#include "app/window/tool_movies.h"
 
 namespace croquis::app {
 namespace {
@@ -217,8 +218,9 @@ void follow_start_page(MainWindow& window) {
 void keep_window_layout(MainWindow& window) {
   WindowParts& parts = window.parts();
   if (!parts.keeps_layout) return;
+  parts.docks->note_layout();
   keep_layout({window.saveGeometry(), window.shows_views() ? window.saveState() : parts.views_layout,
-               parts.docks->closed(), parts.viewport->views().layout.shares()});
+               parts.docks->closed(), parts.docks->layouts(), parts.viewport->views().layout.shares()});
 }
 
 }  // namespace
@@ -244,6 +246,7 @@ MainWindow::MainWindow(const QString& state_folder) : parts_(state_folder) {
   add_actions(*this);
   add_tools(*this);
   add_last_menus(*this);
+  add_tool_movies(*this);
   connect(&parts_.studio, &Studio::changed, this, &MainWindow::refresh);
   connect(&parts_.studio, &Studio::result_changed, this, &MainWindow::refresh);
   connect(&parts_.studio, &Studio::loaded, this, [this] {
@@ -274,6 +277,7 @@ void MainWindow::refresh() {
   parts_.show_panels();
   enable_actions(*this);
   for (const auto& tool : parts_.tools) tool->refresh();
+  parts_.docks->follow_layout();
   parts_.actions->show_menus();
   setWindowModified(parts_.studio.session().modified());
   show_help(*this);
@@ -429,6 +433,7 @@ void remember_layout(MainWindow& window) {
   window.restoreGeometry(kept->geometry);
   fit_to_screen(window);
   parts.docks->set_closed(kept->closed_panels);
+  parts.docks->set_layouts(kept->layouts);
   parts.viewport->views().layout.set_shares(kept->pane_shares);
   if (kept->panels.isEmpty()) return;
   parts.views_layout = kept->panels;
@@ -441,6 +446,7 @@ void reset_layout(MainWindow& window, const QByteArray& first) {
   forget_layout();
   parts.docks->set_closed({});
   window.restoreState(first);
+  parts.docks->set_layouts({});
   parts.views_layout.clear();
   parts.panels_sized = false;
   parts.docks->set_room_given(false);

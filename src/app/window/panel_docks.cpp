@@ -19,6 +19,7 @@ constexpr int usual_title_bar = 40;  // logical pixels
 const QString geometry_key = QStringLiteral("window/geometry");
 const QString panels_key = QStringLiteral("window/panels");
 const QString closed_key = QStringLiteral("window/closed-panels");
+const QString layouts_key = QStringLiteral("window/layouts");
 const QString shares_key = QStringLiteral("window/pane-shares");
 
 }  // namespace
@@ -111,6 +112,7 @@ void PanelDocks::apply(const Panel& panel) {
 void PanelDocks::set_useful(QDockWidget* dock, bool useful) {
   Panel* panel = panel_of(dock);
   if (panel == nullptr) return;
+  if (panel->useful != useful) note_layout();
   panel->useful = useful;
   apply(*panel);
 }
@@ -144,6 +146,25 @@ void PanelDocks::show_all(bool shown) {
   }
 }
 
+QString PanelDocks::useful() const {
+  QStringList names;
+  for (const Panel& panel : panels_) {
+    if (panel.useful) names << panel.dock->objectName();
+  }
+  return names.join(' ');
+}
+
+void PanelDocks::note_layout() {
+  if (shown_ && useful() == noted_) layouts_[noted_] = window_.saveState();
+}
+
+void PanelDocks::follow_layout() {
+  const QString now = useful();
+  if (!shown_ || now == std::exchange(noted_, now) || !layouts_.contains(now)) return;
+  window_.restoreState(layouts_[now].toByteArray());
+  for (const Panel& panel : panels_) apply(panel);
+}
+
 /// Docks are closed by people alone: the window hides them.
 bool PanelDocks::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Close) {
@@ -156,7 +177,8 @@ std::optional<WindowLayout> kept_layout() {
   const QSettings settings;
   if (!settings.contains(geometry_key)) return std::nullopt;
   return WindowLayout{settings.value(geometry_key).toByteArray(), settings.value(panels_key).toByteArray(),
-                      settings.value(closed_key).toStringList(), settings.value(shares_key).toPointF()};
+                      settings.value(closed_key).toStringList(), settings.value(layouts_key).toMap(),
+                      settings.value(shares_key).toPointF()};
 }
 
 void keep_layout(const WindowLayout& layout) {
@@ -164,6 +186,7 @@ void keep_layout(const WindowLayout& layout) {
   settings.setValue(geometry_key, layout.geometry);
   settings.setValue(panels_key, layout.panels);
   settings.setValue(closed_key, layout.closed_panels);
+  settings.setValue(layouts_key, layout.layouts);
   settings.setValue(shares_key, layout.pane_shares);
 }
 

@@ -8,6 +8,7 @@
 #include <QSize>
 #include <QString>
 #include <QStringList>
+#include <QVariantMap>
 #include <optional>
 
 class QDockWidget;
@@ -62,6 +63,15 @@ class PanelDocks : public QObject {
   QStringList closed() const;
   void set_closed(const QStringList& names);
 
+  /// After it has changed which panels have something to show: all lie as they last did while the same ones had.
+  /// Sketches, scans and networks of curves have different ones.
+  void follow_layout();
+  void note_layout();  ///< how they lie now; by itself before that changes
+
+  /// QMainWindow::saveState, by the names of the panels that have something to show.
+  const QVariantMap& layouts() const { return layouts_; }
+  void set_layouts(const QVariantMap& layouts) { layouts_ = layouts; }
+
   /// Whether the views are shown, which the panels belong to.
   void show_all(bool shown);
 
@@ -81,12 +91,15 @@ class PanelDocks : public QObject {
 
   Panel* panel_of(const QDockWidget* dock);
   void apply(const Panel& panel);
+  QString useful() const;  ///< names of those that have something to show
 
   QMainWindow& window_;
   QList<Panel> panels_;
   bool shown_ = false;
   bool room_given_ = false;         ///< to all of them
   QList<QDockWidget*> roomy_ = {};  ///< those that got theirs
+  QVariantMap layouts_;
+  QString noted_;  ///< the name in `layouts_` of how they lie
 };
 
 /// How the window lay when it was closed, as the user's settings keep it.
@@ -94,6 +107,7 @@ struct WindowLayout {
   QByteArray geometry;        ///< QWidget::saveGeometry
   QByteArray panels;          ///< QMainWindow::saveState, of the views
   QStringList closed_panels;  ///< their names
+  QVariantMap layouts;        ///< PanelDocks::layouts
   QPointF pane_shares;        ///< PaneLayout::shares
 };
 

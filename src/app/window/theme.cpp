@@ -155,6 +155,7 @@ class StudioStyle : public QProxyStyle {
 
 constexpr const char* style_sheet = R"(
 QToolTip { color: @text; background: @base; border: 1px solid @line; padding: 4px; }
+QFrame#tool-movie { background: @base; border: 1px solid @line; }
 QDockWidget::title { background: @bar; padding: 5px 8px; }
 QToolBar { border: none; spacing: 2px; padding: 3px; background: @window; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 5px; }

@@ -24,7 +24,7 @@ inline const QColor hover(96, 156, 230);
 inline const QColor cage(52, 74, 110);
 inline const QColor vertex(62, 50, 110);
 inline const QColor infinite_edge(186, 18, 140);  ///< as render::sharpness_color has it
-inline const QColor guide(150, 158, 170);
+inline const QColor guide(136, 144, 156);
 inline const QColor behind(126, 150, 186);  ///< ink of strokes that lie behind others
 inline const QColor error(214, 60, 52);
 inline const QColor warning(222, 164, 30);

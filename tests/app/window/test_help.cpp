@@ -7,16 +7,20 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFile>
+#include <QHelpEvent>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMovie>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QThread>
+#include <QToolBar>
 #include <QWhatsThis>
 
 #include <catch2/catch.hpp>
@@ -126,6 +130,38 @@ TEST_CASE("Shift+F1 explains whatever is clicked, F1 opens the manual at it", "[
   hand.act("help");
   const auto* page = hand.window().findChild<QDialog*>("manual")->findChild<QTextBrowser*>();
   CHECK(page->textCursor().block().text().contains("The panel Sharp edges has"));
+}
+
+TEST_CASE("the buttons of tools show the tool at work while the pointer is on them", "[help]") {
+  StudioFixture hand;
+  hand.act("new-surface");
+  auto* shown = hand.window().findChild<QWidget*>("tool-movie");
+  REQUIRE(shown != nullptr);
+  for (const char* tool : {"draw", "erase", "select", "move", "rotate", "scale", "sharpen", "holes", "measure", "patch",
+                           "surface-point", "inner-curve"}) {
+    INFO(tool);
+    QWidget* button = hand.window().findChild<QToolBar*>("tools")->widgetForAction(hand.window().action(tool));
+    REQUIRE(button != nullptr);
+    QHelpEvent asks(QEvent::ToolTip, QPoint(3, 3), button->mapToGlobal(QPoint(3, 3)));
+    QApplication::sendEvent(button, &asks);
+    CHECK(shown->isVisible());
+    CHECK(hand.window().screen()->availableGeometry().contains(shown->geometry()));
+    CHECK(!shown->geometry().contains(button->mapToGlobal(QPoint(3, 3))));
+    const auto labels = shown->findChildren<QLabel*>();
+    REQUIRE(labels.size() == 2);
+    CHECK(labels.front()->text() == hand.window().action(tool)->toolTip());
+    QMovie* movie = labels.back()->movie();
+    REQUIRE(movie->isValid());
+    CHECK(movie->frameCount() >= 20);
+    CHECK(movie->frameCount() * movie->nextFrameDelay() <= 13'000);
+    const QImage first = movie->currentImage();
+    for (int frame = 0; frame < movie->frameCount() * 2 / 3; ++frame) movie->jumpToNextFrame();
+    CHECK(movie->currentImage() != first);
+    QEvent leaves(QEvent::Leave);
+    QApplication::sendEvent(button, &leaves);
+    CHECK(!shown->isVisible());
+    CHECK(movie->state() == QMovie::NotRunning);
+  }
 }
 
 TEST_CASE("a report has what helps, and names and shapes only where that is ticked", "[help]") {

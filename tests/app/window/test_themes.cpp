@@ -164,7 +164,8 @@ TEST_CASE("each text can be read on its ground, in every theme", "[themes]") {
                                        {Role::ButtonText, Role::Button},
                                        {Role::ToolTipText, Role::ToolTipBase},
                                        {Role::HighlightedText, Role::Highlight},
-                                       {Role::Link, Role::Base}}) {
+                                       {Role::Link, Role::Base},
+                                       {Role::Link, Role::Window}}) {
       INFO("roles " << text << " on " << ground);
       CHECK(contrast(palette.color(text), palette.color(ground)) >= 4.5);
       CHECK(contrast(palette.color(QPalette::Disabled, text), palette.color(QPalette::Disabled, ground)) >= 3);
@@ -177,6 +178,7 @@ TEST_CASE("each text can be read on its ground, in every theme", "[themes]") {
       for (const Role ground : {Role::Base, Role::Window}) CHECK(contrast(word, palette.color(ground)) >= 4.5);
     for (const QColor& ground : {colors.bar, colors.hovered, colors.checked})
       CHECK(contrast(colors.text, ground) >= 4.5);
+    CHECK(contrast(app::colors::guide, palette.color(Role::Base)) >= 3);  // the border of swatches in menus
   }
 }
 
@@ -260,8 +262,12 @@ TEST_CASE("the first start asks once, and what is chosen works at once and is ke
   const auto choose_next = [&](const char* field) {
     QTest::keyClick(dialog->findChild<QComboBox*>(field), Qt::Key_Down);
   };
+  const auto* card = dialog->findChild<QAbstractButton*>("navigate-cad");
+  const QString english = card->accessibleDescription();
+  CHECK(!english.isEmpty());
   choose_next("language");
   CHECK(app::kept_language() == "ko");
+  CHECK(card->accessibleDescription() != english);
   choose_next("theme");
   CHECK(hand.window().palette().color(QPalette::Window) == app::theme_colors().window);
   CHECK(app::kept_theme() == "light");

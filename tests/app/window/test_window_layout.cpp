@@ -190,7 +190,7 @@ TEST_CASE("a layout kept from a larger screen opens inside of this one", "[windo
   QSettings().clear();
   QWidget large;
   large.setGeometry(2000, 900, 2880, 1804);
-  app::keep_layout({large.saveGeometry(), {}, {}, {0.5, 0.5}});
+  app::keep_layout({large.saveGeometry(), {}, {}, {}, {0.5, 0.5}});
   const QTemporaryDir folder;
   app::MainWindow window(folder.path());
   app::remember_layout(window);
@@ -244,6 +244,48 @@ TEST_CASE("the panel that people brought to the front is there when the window o
     CHECK(is_in_front(window, first ? "History" : "Findings"));
     window.findChild<QDockWidget*>("findings-dock")->raise();
     QApplication::processEvents();
+    window.close();
+  }
+  QSettings().clear();
+}
+
+TEST_CASE("panels lie as they last did for a scan and for a sketch, in the next window too", "[window-layout]") {
+  QSettings().clear();
+  const QTemporaryDir folder;
+  const std::string scan_file = folder.filePath("scan.ply").toStdString();
+  Progress progress;
+  std::ofstream(scan_file, std::ios::binary) << write_mesh(ball_with_holes(3), MeshFormat::Ply, {}, progress).bytes;
+  int sketch = 0, scan = 0;
+  for (const bool first : {true, false}) {
+    app::MainWindow window(folder.path());
+    window.set_unattended();
+    app::remember_layout(window);
+    window.show();
+    REQUIRE(QTest::qWaitForWindowExposed(&window));
+    auto* dock = window.findChild<QDockWidget*>("objects-dock");
+    const auto width_at = [&](const char* sight, int wider) {
+      INFO(sight << (first ? " in the first window" : " in the next window"));
+      window.wait_until_settled();
+      if (wider != 0) window.resizeDocks({dock}, {dock->width() + wider}, Qt::Horizontal);
+      QApplication::processEvents();
+      return dock->width();
+    };
+    const auto open_scan_file = [&] {
+      REQUIRE(window.open(QString::fromStdString(scan_file)));
+      window.action("holes")->trigger();
+    };
+    window.start_with();
+    const int first_sketch = width_at("sketch", first ? 60 : 0);
+    open_scan_file();
+    const int first_scan = width_at("scan", first ? 90 : 0);
+    if (first) sketch = first_sketch, scan = first_scan;
+    REQUIRE(scan > sketch + 20);
+    CHECK(std::abs(first_sketch - sketch) <= 2);
+    CHECK(std::abs(first_scan - scan) <= 2);
+    window.start_with();
+    CHECK(std::abs(width_at("sketch again", 0) - sketch) <= 2);
+    open_scan_file();
+    CHECK(std::abs(width_at("scan again", 0) - scan) <= 2);
     window.close();
   }
   QSettings().clear();
