@@ -1756,6 +1756,10 @@
         <translation>팔다리 결합</translation>
     </message>
     <message>
+        <source>Second one on the far side</source>
+        <translation>반대쪽에 하나 더</translation>
+    </message>
+    <message>
         <source>Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws</source>
         <translation>사각형을 드래그하면 선의 모양이 바뀌고, 선을 드래그하면 이동합니다 · Shift: 추가 선택 · Delete: 제거 · D: 그리기</translation>
     </message>
@@ -2717,7 +2721,7 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     </message>
     <message>
         <source>S&amp;cale</source>
-        <translation>배율</translation>
+        <translation>스케일</translation>
     </message>
     <message>
         <source>A scale takes effect at the next start</source>
@@ -4494,6 +4498,22 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Take the name off %1</source>
         <translation>%1의 이름 지우기</translation>
+    </message>
+    <message>
+        <source>Make a far copy of %1</source>
+        <translation>%1의 반대쪽 복사 만들기</translation>
+    </message>
+    <message>
+        <source>Take away the far copy of %1</source>
+        <translation>%1의 반대쪽 복사 없애기</translation>
+    </message>
+    <message>
+        <source>The copy of "%1" on the far side is left out, since it belongs to nothing: attach it to a part that isn't copied</source>
+        <translation>"%1"의 반대쪽 복사는 붙어 있는 곳이 없어 만들지 않았습니다: 복사되지 않는 부위에 붙이세요</translation>
+    </message>
+    <message>
+        <source>The copy of "%1" on the far side is left out, since it would cut through another part: draw it further away, or attach it</source>
+        <translation>"%1"의 반대쪽 복사는 다른 부위와 겹치게 되어 만들지 않았습니다: 더 떨어뜨려 그리거나 붙이세요</translation>
     </message>
     <message>
         <source>contour</source>
@@ -9158,6 +9178,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>%1 is used as indices, but holds no whole numbers from 0</source>
         <translation>%1이(가) 인덱스로 쓰이지만 0 이상의 정수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>The copy of "%1" on the far side is left out, since it has no sound union with what it belongs to: draw it further away</source>
+        <translation>"%1"의 반대쪽 복사는 붙어 있는 부위와 올바르게 합쳐지지 않아 만들지 않았습니다: 더 떨어뜨려 그리세요</translation>
     </message>
 </context>
 </TS>

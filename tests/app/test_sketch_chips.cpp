@@ -309,6 +309,38 @@ TEST_CASE("the thickness of the selected part is dragged and typed at its chip",
   CHECK(!thickness->isVisible());
 }
 
+TEST_CASE("a key makes a second one of the last part on the far side, which follows it and goes again", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-260, -260}, {260, 200});
+  CHECK(!hand.window().action("far-copy")->isEnabled());
+  hand.draw(round_line({0, 0}, 110));
+  hand.draw({{-30, -50}, {-34, -120}, {-30, -180}, {0, -200}, {30, -180}, {34, -120}, {30, -50}, {0, -40}, {-30, -50}});
+  hand.settle();
+  const auto extent = [&] {
+    hand.settle();
+    Eigen::AlignedBox3d box;
+    for (const Vec3& position : hand.studio().active()->mesh->positions) box.extend(position);
+    return box.sizes().z();
+  };
+  const double one = extent();
+  const auto steps = hand.studio().session().undo_labels().size();
+  hand.act("far-copy");
+  CHECK(has_far_copy(hand.studio().drawing(), "stroke 2"));
+  CHECK(hand.studio().session().undo_labels().back() == "Make a far copy of stroke 2");
+  CHECK(hand.studio().session().undo_labels().size() == steps + 1);
+  const double two = extent();
+  CHECK(two > one + 1);
+  hand.studio().session().select({{hand.studio().drawing_node(), "stroke 2"}});
+  hand.studio().set_parameter(hand.studio().solid_node(), "attach", std::string("auto;stroke 1,stroke 2=0.9"), false);
+  CHECK(extent() > two + 1);
+  hand.act("undo");
+  hand.act("far-copy");
+  CHECK(!has_far_copy(hand.studio().drawing(), "stroke 2"));
+  CHECK(extent() == Approx(one));
+  hand.act("undo");
+  CHECK(extent() == Approx(two));
+}
+
 TEST_CASE("a part reaches as far as its own faces do", "[sketch-chips]") {
   PolyMesh mesh;
   mesh.positions = {{0, 0, -2}, {1, 0, 0}, {0, 1, 4}, {0, 0, 9}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,12 @@ inline constexpr const char* title_key = "title";
 /// was drawn later; "all" for all drawn before it.
 inline constexpr const char* behind_key = "behind";
 inline constexpr const char* behind_all = "all";
+
+/// "copy": "far" for a part of which there is a second one, mirrored, on the far side of what it belongs to, such as a
+/// leg or an ear in a drawing from the side.
+inline constexpr const char* copy_key = "copy";
+inline constexpr const char* copy_far = "far";
+bool has_far_copy(const std::map<std::string, std::string>& data);  ///< of a stroke or a group
 
 /// None for a word that is no kind.
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke);

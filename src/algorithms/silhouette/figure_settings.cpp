@@ -185,6 +185,19 @@ void read_objects(const LabelledFigure& figure, const Drawing& drawing, DepthSet
   }
 }
 
+/// Ascending.
+std::vector<Index> copied_objects(const LabelledFigure& figure, const Drawing& drawing) {
+  std::vector<Index> copied;
+  for (Index o = 0; o < figure.objects.size(); ++o) {
+    const FigureObject& object = figure.objects[o];
+    const auto group = drawing.object_data.find(object.name);
+    if ((group != drawing.object_data.end() && has_far_copy(group->second)) ||
+        std::ranges::any_of(object.strokes, [&](Index s) { return has_far_copy(drawing.strokes[s].data); }))
+      copied.push_back(o);
+  }
+  return copied;
+}
+
 }  // namespace
 
 std::vector<FigureSettings> figure_settings(const LabelledDrawing& labelled, const Drawing& drawing,
@@ -197,6 +210,7 @@ std::vector<FigureSettings> figure_settings(const LabelledDrawing& labelled, con
     settings.depth.options = options.depth;
     settings.depth.attachments = std::move(attached[f]);
     read_objects(labelled.figures[f], drawing, settings.depth, errors);
+    settings.copied = copied_objects(labelled.figures[f], drawing);
   }
   if (!errors.empty()) throw Error(std::move(errors));
   return all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -37,7 +38,7 @@ bool is_sound(const LabelledFigure& figure, const Shell& shell, double least_sil
   if (!topology_fault(shell.mesh, std::nullopt, progress).empty()) return false;
   std::vector<SidedOutline> outlines;
   for (const Index object : shell.objects) {
-    for (const Index c : figure.objects[object].contours) {
+    for (const Index c : figure.objects[drawn_object(figure, object)].contours) {
       outlines.push_back({contour_points(figure, c), figure.contours[c].side});
     }
   }
@@ -208,32 +209,88 @@ void improve(std::size_t number, double unit, std::vector<Shell>& shells, Progre
   shell = std::move(joined);
 }
 
-}  // namespace
+/// A copy that rests on what it belongs to may meet it, whose far side needn't be as its near one: it is moved away
+/// from its object, in all by up to 63 contour steps, and left out where that doesn't help.
+void part_copies(const LabelledFigure& figure, FigureShells& made, Progress& progress) {
+  const auto is_lone_copy = [&](const Shell& shell) { return is_copy(figure, shell.objects.front()); };
+  if (std::ranges::none_of(made.shells, is_lone_copy)) return;
+  const auto mean_depth = [&](Index object) {
+    const auto shell = std::ranges::find(made.shells, object, [](const Shell& each) { return each.objects.front(); });
+    return shell == made.shells.end() ? 0 : middle_depth(shell->mesh);
+  };
+  constexpr int most_moves = 6;
+  for (int k = 0; k <= most_moves; ++k) {
+    const FacesOfShells meeting = meeting_by_shell(made.shells, figure.unit, progress);
+    for (auto shell = meeting.rbegin(); shell != meeting.rend(); ++shell) {
+      const auto place = made.shells.begin() + static_cast<std::ptrdiff_t>(shell->first);
+      if (!is_lone_copy(*place)) continue;
+      const Index object = drawn_object(figure, place->objects.front());
+      if (k == most_moves) {
+        made.lost.push_back(object);
+        made.shells.erase(place);
+        continue;
+      }
+      const double away = std::copysign(std::ldexp(figure.step, k), middle_depth(place->mesh) - mean_depth(object));
+      for (Vec3& position : place->mesh.positions) position.z() += away;
+    }
+  }
+}
 
-FigureShells make_shells(const LabelledFigure& figure, std::vector<Shell> surfaces,
-                         const std::vector<std::string>& faults, const Attachments& attachments,
-                         const std::map<ObjectPair, double>& seams, Progress& progress) {
+/// Copies take the numbers of what was drawn.
+void number_as_drawn(const LabelledFigure& figure, FigureShells& made) {
+  for (Shell& shell : made.shells) {
+    for (std::vector<Index>* objects : {&shell.objects, &shell.face_objects})
+      for (Index& object : *objects) object = drawn_object(figure, object);
+    std::ranges::sort(shell.objects);
+    shell.objects.erase(std::unique(shell.objects.begin(), shell.objects.end()), shell.objects.end());
+    std::erase_if(shell.blends, [&](const auto& entry) { return is_copy(figure, entry.first.second); });
+  }
+  std::erase_if(made.refused, [&](const auto& refused) { return is_copy(figure, refused.first); });
+  // Where only a copy can't be joined its object stays as it is.
+  std::map<ObjectPair, FailedJoin> failed;
+  for (const FailedJoin& join : made.failed) {
+    const auto& [a, b] = join.pair;
+    const ObjectPair drawn = std::minmax(drawn_object(figure, a), drawn_object(figure, b));
+    const bool is_plain = drawn == join.pair;
+    if (is_plain) failed[drawn] = join;
+    if (!is_plain) failed.try_emplace(drawn, FailedJoin{drawn, join.fault, drawn_object(figure, std::max(a, b))});
+  }
+  made.failed.clear();
+  for (const auto& [pair, join] : failed) made.failed.push_back(join);
+}
+
+FigureShells make_all_shells(const LabelledFigure& figure, HeldSurfaces held, Progress& progress) {
   FigureShells made;
+  const Attachments& attachments = held.attachments;
   const bool joins = attachments.any(Hold::Joined);
-  if (joins) join(figure, surfaces, faults, attachments, made, progress);
+  if (joins) join(figure, held.surfaces, held.faults, attachments, made, progress);
   if (!made.failed.empty()) return made;
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const Index object = surfaces[s].objects.front();
+  for (std::size_t s = 0; s < held.surfaces.size(); ++s) {
+    const Index object = held.surfaces[s].objects.front();
     if (attachments.joins(object)) continue;
-    if (faults[s].empty()) {
-      made.shells.push_back(std::move(surfaces[s]));
+    if (held.faults[s].empty()) {
+      made.shells.push_back(std::move(held.surfaces[s]));
     } else {
-      made.refused.emplace_back(object, faults[s]);
+      made.refused.emplace_back(object, held.faults[s]);
     }
   }
   std::ranges::sort(made.shells, {}, [](const Shell& shell) { return shell.objects.front(); });
+  if (!attachments.held.empty()) part_copies(figure, made, progress);
   if (joins) check_apart(figure.unit, attachments, made, progress);
-  for (std::size_t shell = 0; made.failed.empty() && !seams.empty() && shell < made.shells.size(); ++shell) {
-    blend(figure, shell, attachments, seams, made.shells, progress);
+  for (std::size_t shell = 0; made.failed.empty() && !held.seams.empty() && shell < made.shells.size(); ++shell) {
+    blend(figure, shell, attachments, held.seams, made.shells, progress);
   }
   for (std::size_t shell = 0; shell < made.shells.size(); ++shell) {
     improve(shell, figure.unit, made.shells, progress);
   }
+  return made;
+}
+
+}  // namespace
+
+FigureShells make_shells(const LabelledFigure& figure, HeldSurfaces held, Progress& progress) {
+  FigureShells made = make_all_shells(figure, std::move(held), progress);
+  number_as_drawn(figure, made);
   return made;
 }
 

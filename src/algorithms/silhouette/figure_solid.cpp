@@ -56,6 +56,12 @@ Finding not_joined(const FigureTask& task, const FailedJoin& failed) {
                       std::move(subjects));
 }
 
+Finding not_copied(const FigureTask& task, Index object, const std::string& sentence) {
+  const FigureObject& copied = task.figure.objects[object];
+  return make_warning(Category::Geometry, "W_FAR_COPY", "The copy of \"" + copied.name + sentence,
+                      object_subjects(copied, task.drawing));
+}
+
 /// One solve of a figure with given attachments.
 struct SolvedFigure {
   Skeleton skeleton;
@@ -236,10 +242,22 @@ SurfacedFigure surfaced(const FigureTask& task, const SolvedFigure& solved, cons
     made.shells.failed = pairs_of(refused, attachments);
     return made;
   }
-  std::vector<std::string> faults(surfaces.size());
-  if (checks) faults = check_surfaces(task, solved, surfaces, mesh, progress);
-  made.shells = make_shells(task.figure, std::move(surfaces), faults, checks ? attachments : Attachments{},
-                            seam_radii(task, solved.skeleton), progress);
+  HeldSurfaces held{std::move(surfaces), {}, attachments, seam_radii(task, solved.skeleton)};
+  held.faults.resize(held.surfaces.size());
+  if (checks) held.faults = check_surfaces(task, solved, held.surfaces, mesh, progress);
+  const std::vector<Index> alone = add_far_copies(task.figure, task.settings.copied, held);
+  if (!checks) held.attachments = {};
+  made.shells = make_shells(task.figure, std::move(held), progress);
+  for (const Index object : alone) {
+    made.refusals.push_back(not_copied(
+        task, object,
+        "\" on the far side is left out, since it belongs to nothing: attach it to a part that isn't copied"));
+  }
+  for (const Index object : made.shells.lost) {
+    made.refusals.push_back(not_copied(
+        task, object,
+        "\" on the far side is left out, since it would cut through another part: draw it further away, or attach it"));
+  }
   for (const auto& [object, fault] : made.shells.refused) {
     refuse(task, object, "E_NOT_CERTIFIED", "The surface of",
            fault + ": draw its lines further apart, or lower the resolution step", made);
@@ -351,6 +369,13 @@ FigureSolid solidify(FigureTask task, Progress& progress) {
     }
     if (round >= max_joining_rounds) failed = whole_groups(task.figure, attachments, failed);
     for (const FailedJoin& join : failed) {
+      if (join.copied) {
+        if (std::erase(task.settings.copied, *join.copied) == 0) continue;
+        warnings.push_back(not_copied(task, *join.copied,
+                                      "\" on the far side is left out, since it has no sound union with what it "
+                                      "belongs to: draw it further away"));
+        continue;
+      }
       warnings.push_back(not_joined(task, join));
       attachments.held.erase(join.pair);
     }
@@ -377,7 +402,7 @@ std::shared_ptr<const FigureSolid> make_figure_solid(const LabelledFigure& figur
   if (settings.cache != nullptr) {
     add_shape(figure, key);
     add_names(figure, drawing, key);
-    key.add(settings.depth).add(settings.quality);
+    key.add(settings.depth).add(settings.quality).add(settings.copied);
   }
   return cached<FigureSolid>(
       settings.cache, "silhouette solid", key,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/silhouette/joining/far_copies.h"
 #include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/skeleton/depth.h"
 #include "algorithms/silhouette/surface/shell.h"
@@ -25,6 +26,7 @@ struct FigureSettings {
   DepthSettings depth;
   Quality quality = Quality::Final;
   StageCache* cache = nullptr;
+  std::vector<Index> copied = {};  ///< ascending, objects that have a copy on the far side
 };
 
 /// The settings of every figure, before any work: what is mistyped is reported at once.
@@ -47,20 +49,17 @@ struct FigureShells {
   std::vector<Shell> shells;                           ///< the sound ones, by their first objects
   std::vector<std::pair<Index, std::string>> refused;  ///< objects, and what is wrong with their surfaces
   std::vector<FailedJoin> failed;  ///< pairs to be kept apart; where there are any, the rest doesn't count
+  std::vector<Index> lost;         ///< objects whose copies on the far side would have met others, and were left out
 };
 
 /// Joins the surfaces of attached objects and checks what comes of them: closed, manifold, showing what was drawn,
 /// apart from all others on the numbers as they are and as files may round them. Without attachments nothing is checked
 /// here.
 /// Seams are rounded where that leaves everything sound, else those at fault with half the radius and so on, else not
-/// at all.
-/// @param surfaces of single objects, in the figure's order
-/// @param faults   per surface what is wrong with it, empty for nothing
-/// @param seams    radii of seams by pairs, sketch units; those of other pairs stay sharp
+/// at all. Copies on the far side belong to the objects that were drawn in what is returned.
+/// @param held surfaces in the figure's order, then copies; seams of other pairs stay sharp
 /// @throws Cancelled
-FigureShells make_shells(const LabelledFigure& figure, std::vector<Shell> surfaces,
-                         const std::vector<std::string>& faults, const Attachments& attachments,
-                         const std::map<ObjectPair, double>& seams, Progress& progress);
+FigureShells make_shells(const LabelledFigure& figure, HeldSurfaces held, Progress& progress);
 
 /// What one figure of a drawing becomes.
 struct FigureSolid {

@@ -122,7 +122,13 @@ void add_shell(const LabelledFigure& figure, const DepthSettings& settings, cons
   std::vector<std::int32_t> number(figure.objects.size(), 0);
   for (const Index o : shell.objects) {
     const FigureObject& object = figure.objects[o];
-    number[o] = static_cast<std::int32_t>(channel.labels.size());
+    // A copy on the far side belongs to the object that it is a copy of.
+    const auto known = std::ranges::find(channel.labels, object.name);
+    number[o] = static_cast<std::int32_t>(known - channel.labels.begin());
+    if (known != channel.labels.end()) {
+      made.objects.push_back(static_cast<Index>(number[o]));
+      continue;
+    }
     channel.labels.push_back(object.name);
     made.objects.push_back(static_cast<Index>(solid.objects.size()));
     // Counted and found to be this, see topology_fault.

@@ -29,6 +29,11 @@ std::string_view without_spaces(std::string_view text) {
 
 }  // namespace
 
+bool has_far_copy(const std::map<std::string, std::string>& data) {
+  const auto found = data.find(copy_key);
+  return found != data.end() && found->second == copy_far;
+}
+
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke) {
   const auto found = stroke.data.find(kind_key);
   return found == stroke.data.end() ? StrokeKind::Visible : stroke_kind(found->second);

@@ -47,8 +47,14 @@ void StrokeReading::describe(Fields& fields) {
   fields.seldom("thickness", thickness);
   fields.require(!thickness || *thickness > 0, "\"thickness\" must be a number above 0");
   fields.seldom("title", title);
-  fields.require(kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() == 1,
-                 "one of \"kind\", \"in-front-of\", \"thickness\" and \"title\" is set");
+  std::optional<std::string> copy;
+  if (far_copy) copy = *far_copy ? silhouette::copy_far : "";
+  fields.seldom("copy", copy);
+  fields.require(!copy || copy->empty() || *copy == silhouette::copy_far, "\"copy\" must be far, or empty for none");
+  if (copy) far_copy = !copy->empty();
+  const int given =
+      kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() + far_copy.has_value();
+  fields.require(given == 1, "one of \"kind\", \"in-front-of\", \"thickness\", \"title\" and \"copy\" is set");
 }
 
 const Vocabulary& sketch_steps() {

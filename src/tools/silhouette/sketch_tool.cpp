@@ -57,6 +57,8 @@ std::string setting_label(const recorded::StrokeReading& setting) {
   if (setting.kind == silhouette::StrokeKind::Visible) return "Find what " + stroke + " is";
   if (setting.title)
     return setting.title->empty() ? "Take the name off " + stroke : "Rename a part to " + *setting.title;
+  if (setting.far_copy == true) return "Make a far copy of " + stroke;
+  if (setting.far_copy) return "Take away the far copy of " + stroke;
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }
@@ -66,6 +68,7 @@ DrawingEdit setting_edit(const Drawing& drawing, const recorded::StrokeReading& 
   if (setting.kind) return set_kind(drawing, id, *setting.kind);
   if (setting.in_front_of) return set_in_front(drawing, id, *setting.in_front_of);
   if (setting.title) return set_title(drawing, id, *setting.title);
+  if (setting.far_copy) return set_far_copy(drawing, id, *setting.far_copy);
   return set_thickness(drawing, id, setting.thickness.value_or(1));
 }
 

@@ -104,6 +104,17 @@ DrawingEdit set_title(const Drawing& drawing, const std::string& id, const std::
   return edit;
 }
 
+DrawingEdit set_far_copy(const Drawing& drawing, const std::string& id, bool copied) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  set_entry(part_data(edit.drawing, stroke_of(edit.drawing, id)), silhouette::copy_key,
+            copied ? silhouette::copy_far : "");
+  return edit;
+}
+
+bool has_far_copy(const Drawing& drawing, const std::string& id) {
+  return said_of_part(drawing, id, silhouette::copy_key) == silhouette::copy_far;
+}
+
 std::string title_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::title_key);
 }

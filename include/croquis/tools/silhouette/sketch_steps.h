@@ -45,6 +45,7 @@ struct StrokeReading {
   std::optional<std::string> in_front_of = {};      ///< id of the stroke that it crosses
   std::optional<double> thickness = {};             ///< factor of the depth of the part that it bounds, above 0
   std::optional<std::string> title = {};            ///< of the part that it bounds; empty: by its shape again
+  std::optional<bool> far_copy = {};                ///< whether there is a second one of the part on the far side
 
   static constexpr std::array verbs{"stroke-set"};
   void describe(Fields& fields);

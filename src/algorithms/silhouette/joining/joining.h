@@ -23,6 +23,7 @@ enum class JoinFault {
 struct FailedJoin {
   ObjectPair pair;
   JoinFault fault = JoinFault::Unsound;
+  std::optional<Index> copied = {};  ///< the object whose copy on the far side can't be joined, where only that can't
 };
 
 struct PartJoining {

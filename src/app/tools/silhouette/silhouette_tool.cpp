@@ -185,6 +185,9 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions)
   add_mode(MenuId::Select, select_mode, tr("Select and reshape"), "Q");
   QMenu* sketch = actions.menu(MenuId::Sketch);
   actions.add(sketch, "join-limbs", tr("Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
+  actions.add(
+      sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")}, [&chips] { chips.copy_to_far_side(); },
+      Recorded::ByItself);
   sketch->addSeparator();
 }
 
@@ -216,6 +219,7 @@ void SilhouetteTool::make_actions(ActionList& actions) { add_sketch_actions(host
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
+  host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
 

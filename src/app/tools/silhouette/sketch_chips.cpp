@@ -394,6 +394,19 @@ void SketchChips::join_all() {
   studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false, tr("Join all parts").toStdString());
 }
 
+void SketchChips::copy_to_far_side() {
+  const Drawing& drawing = studio_.drawing();
+  std::vector<std::string> ids = tool_.selected();
+  if (ids.empty() && !drawing.strokes.empty()) ids.push_back(drawing.strokes.back().id);
+  for (const std::string& id : ids) {
+    const Body* body = body_with(bodies_, {id});
+    const std::vector<std::string> strokes = body == nullptr ? std::vector{id} : body->strokes;
+    const auto copied = std::ranges::find_if(strokes, [&](const auto& each) { return has_far_copy(drawing, each); });
+    const bool is_copied = copied != strokes.end();
+    set({.stroke = is_copied ? *copied : id, .far_copy = !is_copied}, false);
+  }
+}
+
 /// Of the solid; nothing while the text has mistakes, which findings name.
 AttachText SketchChips::attach() const {
   const Node* operation = studio_.solid_operation();

@@ -79,6 +79,9 @@ class SketchChips : public QObject {
   /// Joins every pair that is offered.
   void join_all();
 
+  /// Makes second ones of the selected parts, or else of the last one drawn, on the far side; takes away those that are.
+  void copy_to_far_side();
+
   void place(ChipPlaces& places, bool shown);
 
   /// Nothing for a stroke that isn't there any more.
