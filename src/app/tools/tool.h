@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/panels/finding_elements.h"
 #include "app/panels/object_names.h"
 #include "app/replay/replays.h"
 #include "app/studio/studio.h"
@@ -154,12 +155,6 @@ struct ToolState {
   bool picks_elements = false;  ///< what the pointer picks are elements of a mesh
   bool busy = false;            ///< something that it shows is still being made
   std::optional<Ink> ink = {};
-};
-
-/// Elements of the active object's mesh, to be selected in the mode for them.
-struct PickedElements {
-  ComponentKind kind = ComponentKind::Vertex;
-  std::vector<Index> elements;
 };
 
 /// Parts of a node, as the list of objects names them.

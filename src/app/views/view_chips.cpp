@@ -29,6 +29,8 @@ int distance_squared(const QPoint& a, const QPoint& b) {
 constexpr double legend_margin = 10;
 
 constexpr const char* name_style = "color: #4a515c; background: transparent; font-size: 12px";
+constexpr const char* value_style =
+    "background: #2b2d31; color: #f2f3f5; border: 1px solid %1; border-radius: 5px; padding: 1px 6px; font-size: 12px";
 constexpr int lines_at_most = 8;
 
 QString faces(std::size_t count) {
@@ -141,6 +143,7 @@ QToolButton* ChipSet::button(const QString& name, const char* style, std::functi
 void ChipSet::begin(ChipPlaces& places) {
   places_ = &places;
   put_.clear();
+  used_values_ = 0;
 }
 
 void ChipSet::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
@@ -151,6 +154,17 @@ void ChipSet::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
 void ChipSet::put_in_middle(QWidget& chip, double top, const QRectF& bounds) {
   chip.adjustSize();
   put(chip, QPointF(bounds.center().x() - chip.width() / 2.0, top), bounds);
+}
+
+void ChipSet::put_value(const QString& name, const QString& text, const QString& border, const QPointF& at,
+                        const QRectF& bounds) {
+  if (used_values_ == values_.size()) values_.push_back(label(name, ""));
+  QLabel& value = *values_[used_values_++];
+  const QString style = QString(value_style).arg(border);
+  if (value.styleSheet() != style) value.setStyleSheet(style);
+  value.setText(text);
+  value.adjustSize();
+  put(value, at, bounds);
 }
 
 void ChipSet::end() {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/panels/number_box.h"
+#include "app/views/patch_surface.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/surface_view.h"
 
@@ -18,23 +20,11 @@ constexpr int pause_ms = 400;  // checks take longer than patches: not while val
 /// @param faces faces of the mesh, ascending
 std::vector<Index> patch_faces(const PolyMesh& mesh, std::span<const Index> faces) {
   std::vector<Index> patches;
-  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
-  const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
+  const std::vector<std::int32_t>* ids = patch_ids(mesh);
   for (std::size_t i = 0; ids != nullptr && i < faces.size(); ++i) {
     if ((*ids)[faces[i]] >= 0) patches.push_back(static_cast<Index>(i));
   }
   return patches;
-}
-
-bool keeps_vertices(const PolyMesh& filled, const PolyMesh& scan) {
-  return filled.vertex_count() >= scan.vertex_count() &&
-         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
-}
-
-bool keeps_faces(const PolyMesh& filled, const PolyMesh& scan) {
-  return filled.face_count() >= scan.face_count() &&
-         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
-         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin());
 }
 
 /// Whether all faces that are of no patch are the scan's, in its order, though some are missing: trimming takes faces
@@ -51,10 +41,6 @@ bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, cons
   return kept < scan.face_count();
 }
 
-QString counted(std::size_t count, const QString& one, const QString& many) {
-  return (count == 1 ? one : many).arg(count);
-}
-
 /// Edges that nothing explains. A remeshed model has other edges along the same border.
 std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left) {
   const std::size_t known = left.border_edges + left.hole_edges;
@@ -64,13 +50,13 @@ std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left
 
 QString opening(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
-  const auto edges = [&](std::size_t count) { return counted(count, tr("%1 edge"), tr("%1 edges")); };
+  const auto edges = [&](std::size_t count) { return counted_words(count, tr("%1 edge"), tr("%1 edges")); };
   if (checked.open_edges == 0) {
     if (checked.seam_edges == 0) return tr("closed");
     return tr("closed but for seams (%1): merge the vertices of the scan").arg(edges(checked.seam_edges));
   }
   const std::size_t surprising = surprising_edges(checked, left);
-  if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
+  if (surprising == checked.open_edges) return counted_words(surprising, tr("%1 open edge"), tr("%1 open edges"));
   // Of a remeshed model only the sum is known.
   const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
   const QString all = apart ? QString() : " (" + edges(checked.open_edges - surprising) + ")";
@@ -80,7 +66,7 @@ QString opening(const CheckedSurface& checked, const LeftOpen& left) {
                   (apart ? " (" + edges(left.border_edges) + ")" : QString());
   }
   if (left.holes > 0) {
-    places << counted(left.holes, tr("%1 hole"), tr("%1 holes")) +
+    places << counted_words(left.holes, tr("%1 hole"), tr("%1 holes")) +
                   (apart ? " (" + edges(left.hole_edges) + ")" : QString());
   }
   const QString text = tr("open at %1").arg(places.join(tr(" and "))) + all;
@@ -103,9 +89,7 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
   checked.intersections = checked.has_patches ? find_intersections_of(surface.mesh, patches, meeting, {}).count
                                               : find_self_intersections(surface.mesh, meeting, {}).count;
   if (scan == nullptr) return checked;
-  const bool vertices = keeps_vertices(filled, *scan);
-  const bool faces = keeps_faces(filled, *scan);
-  checked.outside_unchanged = vertices && faces;
+  checked.outside_unchanged = begins_with(filled, *scan);
   checked.trimmed =
       !checked.outside_unchanged && checked.has_patches && keeps_what_trimming_left(filled, *scan, patches);
   return checked;
@@ -120,9 +104,10 @@ QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   QStringList parts;
   parts << (checked.nonmanifold_edges == 0
                 ? tr("manifold")
-                : counted(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
-  parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
-                                : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
+                : counted_words(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
+  parts << (checked.has_patches
+                ? counted_words(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
+                : counted_words(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
   if (!checked.has_patches)
     parts << tr("remeshed");
   else if (checked.outside_unchanged)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "app/tools/mesh/mesh_actions.h"
 #include "app/tools/mesh/mesh_overlay.h"
@@ -74,9 +73,16 @@ class MeshEditingTool final : public Tool {
   bool cage_hidden_ = false;  ///< the smooth surface alone is wanted, also while elements are picked
   int gesture_view_ = 0;
   Legend* legend_;
-  PointerValue value_;
+  /// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
+  struct PointerValue {
+    int view = 0;
+    Vec2 pixel = Vec2::Zero();  ///< of the view
+    QString text;
+  };
+  std::optional<PointerValue> value_;
+  ChipSet chips_;
   MeshActions actions_;
-  std::unique_ptr<MeshPanels> panels_;
+  std::function<void(bool useful)> show_panels_;
 };
 
 }  // namespace croquis::app

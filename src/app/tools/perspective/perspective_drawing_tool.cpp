@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/finding_elements.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
 #include "croquis/tools/perspective/axis_guess.h"

@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "app/tools/perspective/perspective_chips.h"
 #include "app/window/language.h"
 #include "app/window/theme.h"
 
@@ -20,6 +19,27 @@ std::vector<std::vector<Vec2>> letter(int axis) {
   if (axis == 0) return {{{-0.3, -0.4}, {0.3, 0.4}}, {{-0.3, 0.4}, {0.3, -0.4}}};
   if (axis == 1) return {{{-0.3, 0.4}, {0, 0}, {0.3, 0.4}}, {{0, 0}, {0, -0.4}}};
   return {{{-0.3, 0.4}, {0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}}};
+}
+
+/// The letter as polylines in a square of side 1 about (0, 0), y up; planes have a frame around theirs.
+std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown)
+    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
+  auto glyph = letter(axis_of(group));
+  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
+  return glyph;
+}
+
+/// Lines along an axis are solid, dashed or dash-dotted; those in planes are dotted with their axis' rhythm.
+render::DashPattern group_dashes(StrokeGroup group) {
+  switch (group) {
+    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
+    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
+    case StrokeGroup::NormalX: return {24, 3, 0, 0};
+    case StrokeGroup::NormalY: return {8, 4, 0, 0};
+    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
+    default: return {};
+  }
 }
 
 constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
@@ -51,6 +71,13 @@ std::optional<Vec2> finite_place(const Vec3& vanishing, const PerspectiveDrawing
   const Vec2 place = vanishing.head<2>() / vanishing.z();
   if ((place - drawing.centre()).norm() > far_diagonals * drawing.diagonal()) return std::nullopt;
   return place;
+}
+
+/// What any unfinished drawing has: ends that lead nowhere, edges without a face, parts that nothing ties together.
+/// Worth a small mark while somebody draws, but no warning sign.
+bool is_of_unfinished(const Finding& finding) {
+  constexpr std::array codes{"DANGLING", "NOT_CLOSED", "DISCONNECTED"};
+  return std::ranges::find(codes, finding.code) != codes.end();
 }
 
 /// Where a finding stands: its own place, else its first stroke's middle.
@@ -99,6 +126,29 @@ constexpr double letter_room = 17;    // between the middles of two letters
 constexpr double least_lettered = 32;
 constexpr double letter_width = 1.4, letter_casing_width = 4.5;
 
+/// The letters with the sheet's colour around them, so that they are read over strokes and pictures of any colour.
+std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit) {
+  std::map<StrokeGroup, std::vector<render::LinePath>> by_group;
+  std::vector<render::LinePath> casing;
+  for (const GroupLetter& letter : letters) {
+    for (const std::vector<Vec2>& part : group_glyph(letter.group)) {
+      casing.push_back(path_of(part, [&](const Vec2& place) {
+        return on_sketch_plane(letter.at) + letter_pixels * unit * on_plane(place);
+      }));
+      by_group[letter.group].push_back(casing.back());
+    }
+  }
+  std::vector<render::LineItemPtr> items;
+  if (casing.empty()) return items;
+  items.push_back(render::make_line_item(
+      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
+  for (const auto& [group, paths] : by_group) {
+    items.push_back(
+        render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
+  }
+  return items;
+}
+
 /// Along a stroke, the middle first.
 constexpr std::array letter_places{0.5, 0.36, 0.64, 0.22, 0.78};
 
@@ -129,17 +179,6 @@ QColor group_color(StrokeGroup group) {
   return made[static_cast<std::size_t>(group)];
 }
 
-render::DashPattern group_dashes(StrokeGroup group) {
-  switch (group) {
-    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
-    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
-    case StrokeGroup::NormalX: return {24, 3, 0, 0};
-    case StrokeGroup::NormalY: return {8, 4, 0, 0};
-    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
-    default: return {};
-  }
-}
-
 QString group_letter(StrokeGroup group) {
   if (group == StrokeGroup::Unknown) return QStringLiteral("?");
   const QString axis(QStringLiteral("xyz").at(axis_of(group)));
@@ -158,14 +197,6 @@ QString group_title(StrokeGroup group) {
   const QString axis(QStringLiteral("xyz").at(axis_of(group)));
   return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis)
                             : QObject::tr("In a plane across %1, on a %2 face").arg(axis, group_words(group));
-}
-
-std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
-  if (group == StrokeGroup::Unknown)
-    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
-  auto glyph = letter(axis_of(group));
-  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
-  return glyph;
 }
 
 /// Lightness falls evenly, so that the order is seen with any colour vision.
@@ -358,31 +389,6 @@ std::vector<GroupLetter> group_letters(const PerspectiveDrawing& drawing, double
     }
   }
   return letters;
-}
-
-std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit) {
-  std::map<StrokeGroup, std::vector<render::LinePath>> by_group;
-  std::vector<render::LinePath> casing;
-  for (const GroupLetter& letter : letters) {
-    for (const std::vector<Vec2>& part : group_glyph(letter.group)) {
-      render::LinePath path;
-      for (const Vec2& place : part) {
-        path.points.push_back(
-            {on_sketch_plane(letter.at) + letter_pixels * unit * glm::dvec3(place.x(), place.y(), 0), 1, {}});
-      }
-      casing.push_back(path);
-      by_group[letter.group].push_back(std::move(path));
-    }
-  }
-  std::vector<render::LineItemPtr> items;
-  if (casing.empty()) return items;
-  items.push_back(render::make_line_item(
-      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
-  for (const auto& [group, paths] : by_group) {
-    items.push_back(
-        render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
-  }
-  return items;
 }
 
 }  // namespace croquis::app

@@ -25,6 +25,39 @@ bool lies_on(const Vec2& place, const std::vector<Vec2>& line, double reach) {
   return false;
 }
 
+/// None for a result that isn't there, or has failed.
+CoveredStrokes covered_strokes(const Evaluation* solid) {
+  CoveredStrokes covered;
+  const InflateResult* inflated = result_of<InflateResult>(solid);
+  if (inflated == nullptr || solid->failed || inflated->crossings_in_view.empty()) return covered;
+  const auto labels = solid->outputs.find("labels");
+  if (labels == solid->outputs.end()) return covered;
+  for (const StrokesInView& crossing : inflated->crossings_in_view) covered.ids.push_back(crossing.behind);
+  Eigen::AlignedBox2d box;
+  const Drawing& arcs = labels->second.get<Drawing>();
+  for (std::size_t i = 0; i < inflated->arcs.size() && i < arcs.strokes.size(); ++i) {
+    std::vector<Vec2> line;
+    for (const StrokeSample& sample : arcs.strokes[i].samples) {
+      line.push_back(sample.position);
+      box.extend(sample.position);
+    }
+    if (inflated->arcs[i].depth > 0) covered.hidden.push_back(std::move(line));
+  }
+  covered.reach = box.isEmpty() ? 0 : reach_in_diagonals * box.diagonal().norm();
+  return covered;
+}
+
+/// Whether each sample of a stroke is covered; empty where none is.
+std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered) {
+  if (std::ranges::find(covered.ids, stroke.id) == covered.ids.end()) return {};
+  std::vector<bool> samples;
+  for (const StrokeSample& sample : stroke.samples) {
+    samples.push_back(std::ranges::any_of(
+        covered.hidden, [&](const std::vector<Vec2>& line) { return lies_on(sample.position, line, covered.reach); }));
+  }
+  return samples;
+}
+
 constexpr double other_width = 1.4;   // logical pixels
 constexpr int covered_strength = 70;  // of 255
 
@@ -116,53 +149,19 @@ std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
   return std::nullopt;
 }
 
+/// The blob that a first stroke may trace.
 render::LineItemPtr ghost_item() {
-  return render::make_line_item(path_of(first_ghost(), on_plane, true),
-                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
-}
-
-}  // namespace
-
-CoveredStrokes covered_strokes(const Evaluation* solid) {
-  CoveredStrokes covered;
-  const InflateResult* inflated = result_of<InflateResult>(solid);
-  if (inflated == nullptr || solid->failed || inflated->crossings_in_view.empty()) return covered;
-  const auto labels = solid->outputs.find("labels");
-  if (labels == solid->outputs.end()) return covered;
-  for (const StrokesInView& crossing : inflated->crossings_in_view) covered.ids.push_back(crossing.behind);
-  Eigen::AlignedBox2d box;
-  const Drawing& arcs = labels->second.get<Drawing>();
-  for (std::size_t i = 0; i < inflated->arcs.size() && i < arcs.strokes.size(); ++i) {
-    std::vector<Vec2> line;
-    for (const StrokeSample& sample : arcs.strokes[i].samples) {
-      line.push_back(sample.position);
-      box.extend(sample.position);
-    }
-    if (inflated->arcs[i].depth > 0) covered.hidden.push_back(std::move(line));
-  }
-  covered.reach = box.isEmpty() ? 0 : reach_in_diagonals * box.diagonal().norm();
-  return covered;
-}
-
-std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered) {
-  if (std::ranges::find(covered.ids, stroke.id) == covered.ids.end()) return {};
-  std::vector<bool> samples;
-  for (const StrokeSample& sample : stroke.samples) {
-    samples.push_back(std::ranges::any_of(
-        covered.hidden, [&](const std::vector<Vec2>& line) { return lies_on(sample.position, line, covered.reach); }));
-  }
-  return samples;
-}
-
-std::vector<Vec2> first_ghost() {
   std::vector<Vec2> blob;
   for (int k = 0; k < 120; ++k) {
     const double angle = 2 * 3.14159265358979 * k / 120;
     const double radius = 150 * (1 + 0.16 * std::cos(2 * angle) + 0.08 * std::sin(3 * angle));
     blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return blob;
+  return render::make_line_item(path_of(blob, on_plane, true),
+                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
 }
+
+}  // namespace
 
 void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   const Drawing& drawing = studio.drawing();

@@ -76,13 +76,6 @@ struct DomainPicture {
   std::optional<Vec2> pointer;            ///< the place under the pointer, or being dragged
 };
 
-/// Of a face as it was computed last; none where it failed or isn't there.
-std::optional<DomainPicture> domain_picture(const AttributeNetwork& network, const AttributeSurface& surface,
-                                            const std::string& face, const NetworkElements& selected);
-/// How much longer than wide its map is, >= 1.
-std::optional<double> domain_anisotropy(const AttributeNetwork& network, const SurfaceMeasures& measures,
-                                        const std::string& face);
-
 /// Draws the domain of a face, and the uniform one beside it for comparison.
 class DomainView : public QWidget {
   Q_OBJECT

@@ -23,11 +23,8 @@ class CurveTaking : public QObject {
  public:
   explicit CurveTaking(Studio& studio) : studio_(studio) {}
 
-  /// Operations that make networks, in the registry's order.
-  std::vector<const OperationDescription*> ways() const;
-
   /// Whether the active object, or a step of its chain, is something that the operation takes.
-  bool can_take(const OperationDescription& operation) const;
+  bool can_take(const OperationDescription& operation) const { return source_for(operation).has_value(); }
 
   /// Begins; what an earlier call began is given up.
   void take(const std::string& operation);
@@ -52,8 +49,8 @@ class CurveTaking : public QObject {
 render::Bounds bounds_of_selected(const DrawnNetwork& network);
 
 /// The actions of menus, keys and buttons, and which of them are enabled and checked now.
-void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions);
-void add_surface_keys(const ToolHost& host, ToolKeys& keys);
+void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions,
+                         ToolKeys& keys);
 void refresh_surface_actions(const DrawnNetwork& network, const UniformGhost& ghost, const CurveTaking& taking);
 
 /// What is selected of a network, in numbers: patches, curves with their slopes, points; and how well the surfaces keep
