@@ -242,7 +242,7 @@ void SurfaceDrawingTool::make_actions(ActionList& actions) {
 
 void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   panel_ = make_surface_panel(network_);
-  domain_panel_ = new DomainPanel(network_, ghost_, host().action("compare-uniform"));
+  domain_panel_ = make_domain_panel(network_, ghost_);
   docks_ = &docks;
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
   domain_dock_ = docks.add(tr("Domain"), domain_panel_, "domain");
@@ -297,7 +297,7 @@ ToolState SurfaceDrawingTool::state() const {
 
 /// What draws on patches or pulls them does nothing beside them, and says so.
 void SurfaceDrawingTool::take(const PointerEvent& event) {
-  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !pen_.down();
+  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !down();
   const bool needs_patch = mode_ == "inner-curve" || (mode_ == "surface-point" && !network_.tool.preview().hovered &&
                                                       network_.tool.selected().points.empty());
   const bool on_patch = network_.sight != nullptr &&

@@ -66,7 +66,6 @@ class SurfaceDrawingTool final : public Tool {
 
   DrawnNetwork& network() { return network_; }
   const UniformGhost& ghost() const { return ghost_; }
-  const DomainPanel& domain_panel() const { return *domain_panel_; }
 
   void make_actions(ActionList& actions) override;
   void make_panels(PanelDocks& docks) override;
@@ -101,7 +100,7 @@ class SurfaceDrawingTool final : public Tool {
   CurveTaking taking_;
   SurfaceChips chips_;
   Panel* panel_ = nullptr;
-  DomainPanel* domain_panel_ = nullptr;
+  Panel* domain_panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QDockWidget* domain_dock_ = nullptr;
