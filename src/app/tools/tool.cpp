@@ -69,36 +69,30 @@ QString offer(const ToolHost& host) {
   return {};
 }
 
-WatchedPen::WatchedPen(Feed feed) : feed_(std::move(feed)) {
-  QObject::connect(&watch_, &QTimer::timeout, &watch_, [this] {
-    take(input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9));
-  });
+Tool::Tool(ToolHost& host, const QString& about) : help_topic(about), host_(host) {
+  connect(&watch_, &QTimer::timeout, this,
+          [this] { take(input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
 }
 
-void WatchedPen::handle(const PointerEvent& event) {
-  last_time_ = event.time;
-  since_event_.start();
-  take(input_.handle(event));
-}
-
-void WatchedPen::take(const std::vector<PenStep>& steps) {
-  if (!steps.empty()) feed_(steps);
+void Tool::take(const std::vector<PenStep>& steps) {
+  if (!steps.empty()) feed(steps);
   if (down() && !watch_.isActive()) watch_.start(watch_ms);
   if (!down()) watch_.stop();
 }
 
-Tool::Tool(ToolHost& host, const QString& about)
-    : help_topic(about), pen_([this](const std::vector<PenStep>& steps) { feed(steps); }), host_(host) {}
-
 void Tool::take(const PointerEvent& event) {
   const bool leaves = event.action == PointerEvent::Action::Leave;
-  if (!leaves || !drags_leave_views_) pen_.handle(event);
-  if (!pen_.down() || leaves) hover(event);
+  if (!leaves || !drags_leave_views_) {
+    last_time_ = event.time;
+    since_event_.start();
+    take(input_.handle(event));
+  }
+  if (!down() || leaves) hover(event);
 }
 
 bool Tool::abandon() {
-  if (!pen_.down()) return false;
-  pen_.cancel();
+  if (!down()) return false;
+  take(input_.cancel());
   return true;
 }
 

@@ -125,11 +125,10 @@ void MeasuringTool::add_to(render::Scene& scene, int) {
   if (!active()) return;
   std::vector<render::Mark> marks;
   for (const Vec3& place : tool_.places()) marks.push_back(mark_at(place, place_pixels, colors::accent));
-  if (tool_.hovered() && !pen_.down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
+  if (tool_.hovered() && !down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
   std::vector<render::LinePath> paths;
   if (tool_.places().size() > 1) paths.push_back(path_of(tool_.places(), to_glm));
-  add_items(scene, {lines_of(paths, {line_pixels, to_color(colors::accent), {}, render::LineDepth::OnTop})},
-            {marks_of(marks)});
+  add_items(scene, {lines_of(paths, {line_pixels, to_color(colors::accent), {}})}, {marks_of(marks)});
 }
 
 void MeasuringTool::place_chips(ChipPlaces& places) {

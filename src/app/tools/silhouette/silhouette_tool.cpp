@@ -216,9 +216,9 @@ void SilhouetteTool::refresh() {
 void SilhouetteTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   tool_.set_mode(sketch_mode(mode));
-  PenOptions options = pen_.input().options();
+  PenOptions options = input_.options();
   options.right_draws = tool_.mode() == SketchMode::Draw;
-  pen_.input().set_options(options);
+  input_.set_options(options);
   studio().hold_results(inking());
   scene_.show_hovered(std::nullopt, studio().drawing());
   scene_.show_drawing(studio(), tool_);
@@ -321,7 +321,7 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
 void SilhouetteTool::follow(Change change) {
   if (change != Change::Document && change != Change::Result) return;
   if (change == Change::Document) {
-    if (!pen_.down()) tool_.set_node(studio().drawing_node());
+    if (!down()) tool_.set_node(studio().drawing_node());
     scene_.show_preview(tool_.preview());
   } else {
     scene_.show_result(studio());

@@ -100,7 +100,7 @@ render::LineItemPtr hidden_contours(const Labels& labels) {
     for (render::LinePoint& point : path.points) point.color = to_color(depth_color(labels.arcs[i].depth));
     paths.push_back(std::move(path));
   }
-  return lines_of(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
+  return lines_of(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}});
 }
 
 std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResult& inflated) {
@@ -111,7 +111,7 @@ std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResul
 
 bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
   const auto is_corner = [&](const Vec2& place) {
-    return std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
+    return std::ranges::any_of(corners, [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
   };
   return is_corner(arc.samples.front().position) && is_corner(arc.samples.back().position);
 }
@@ -157,8 +157,7 @@ render::LineItemPtr ghost_item() {
     const double radius = 150 * (1 + 0.16 * std::cos(2 * angle) + 0.08 * std::sin(3 * angle));
     blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return render::make_line_item(path_of(blob, on_plane, true),
-                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
+  return render::make_line_item(path_of(blob, on_plane, true), {3, to_color(colors::guide, 190), {3, 7, 0, 0}});
 }
 
 }  // namespace
@@ -179,11 +178,10 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
       anchors.push_back({on_plane(anchor.position), render::MarkShape::Square, 7, to_color(colors::accent)});
     }
   }
-  strokes_ = lines_of(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
-  selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  strokes_ = lines_of(plain, {ink_width, to_color(colors::ink), {}});
+  selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}});
   anchors_ = marks_of(anchors);
-  others_ =
-      lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}, render::LineDepth::OnTop});
+  others_ = lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}});
   const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
@@ -221,21 +219,20 @@ void SketchScene::show_result(const Studio& studio) {
 void SketchScene::show_preview(const SketchPreview& preview) {
   std::vector<render::LinePath> paths;
   for (const std::vector<Vec2>& piece : preview.erased) paths.push_back(path_of(piece, on_plane));
-  render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  render::LineStyle style{ink_width + 1, to_color(colors::error), {}};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
     paths.push_back(path_of(corners_of_box(low, high), on_plane, true));
-    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}};
   }
   preview_lines_ = lines_of(paths, style);
 }
 
 void SketchScene::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
   const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
-  hovered_ = found == nullptr ? nullptr
-                              : render::make_line_item(
-                                    path_of_stroke(*found),
-                                    {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = found == nullptr
+                 ? nullptr
+                 : render::make_line_item(path_of_stroke(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}});
 }
 
 void SketchScene::add_to(render::Scene& scene) const {
