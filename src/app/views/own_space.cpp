@@ -44,8 +44,7 @@ void add_box(const PickBox& box, const ViewFrame& frame, render::Scene& scene) {
   constexpr double depth = -0.5;
   const auto place = [&](const Vec2& corner) { return to_glm(frame.unproject(corner, depth)); };
   const render::LinePath path = path_of(corners_of_box(box.low, box.high), place, true);
-  scene.lines.emplace_back(
-      render::make_line_item(path, {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop}));
+  scene.lines.emplace_back(render::make_line_item(path, {1, to_color(colors::accent), {4, 3, 0, 0}}));
 }
 
 }  // namespace croquis::app

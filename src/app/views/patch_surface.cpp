@@ -179,8 +179,8 @@ std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMe
   const std::vector<std::int32_t>* ids = patch_ids(*filled);
   if (ids == nullptr || look == PatchLook::Plain) return filled;
   if (look == PatchLook::Confidence) return std::make_shared<const PolyMesh>(render::with_value_colors(*filled));
-  const bool has_own = std::any_of(filled->channels.begin(), filled->channels.end(),
-                                   [](const AttributeChannel& channel) { return channel.name == "color"; });
+  const bool has_own =
+      std::ranges::any_of(filled->channels, [](const AttributeChannel& channel) { return channel.name == "color"; });
   if (has_own) return filled;
   auto mesh = std::make_shared<PolyMesh>(*filled);
   mesh->channels.push_back(face_colors_by_id(*ids));

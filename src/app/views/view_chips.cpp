@@ -182,9 +182,8 @@ QLabel* make_chip_label(QWidget& views, const char* style) {
 }
 
 ViewChips::ViewChips(const Views& views)
-    : message_(make_chip_label(views.widget, hint_style)), counts_(make_chip_label(views.widget, name_style)) {
-  counts_->setObjectName("counts");
-  for (QLabel*& name : names_) name = make_chip_label(views.widget, name_style);
+    : chips_(views.widget), message_(chips_.label({}, hint_style)), counts_(chips_.label("counts", name_style)) {
+  for (QLabel*& name : names_) name = chips_.label({}, name_style);
 }
 
 void ViewChips::say(const QString& sentence) {
@@ -194,25 +193,21 @@ void ViewChips::say(const QString& sentence) {
 
 void ViewChips::place(const Views& views) {
   ChipPlaces places(views.layout, views.widget);
+  chips_.begin(places);
   for (std::size_t view = 0; view < view_count; ++view) {
     const ViewPane& pane = views.layout.pane(static_cast<int>(view));
     names_[view]->setText(title_of(views, static_cast<int>(view)));
     names_[view]->adjustSize();
-    if (pane.visible())
-      places.put(*names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect);
-    else
-      names_[view]->hide();
+    if (pane.visible()) chips_.put(*names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect);
   }
   counts_->setText(counts_of(views.studio));
   counts_->setAlignment(Qt::AlignRight);
   counts_->adjustSize();
-  const QRectF scene = places.scene_pane().rect;
-  if (counts_->text().isEmpty() || !places.scene_pane().visible())
-    counts_->hide();
-  else
-    places.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8));
-  const QPointF middle = QRectF(views.widget.rect()).center();
-  if (!message_->text().isEmpty()) places.put(*message_, middle - QPointF(message_->width() / 2.0, 0));
+  const QRectF scene = places.scene_pane().rect, all = views.widget.rect();
+  if (!counts_->text().isEmpty() && places.scene_pane().visible())
+    chips_.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8), all);
+  if (!message_->text().isEmpty()) chips_.put_in_middle(*message_, all.center().y(), all);
+  chips_.end();
   for (Tool* tool : views.tools) tool->place_chips(places);
 }
 

@@ -111,6 +111,7 @@ class ViewChips {
   void place(const Views& views);
 
  private:
+  ChipSet chips_;
   QLabel* message_;
   std::array<QLabel*, view_count> names_{};
   QLabel* counts_;

@@ -32,7 +32,7 @@ render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale) {
     path.points.push_back({place, static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
   }
   const render::Color color = pale ? to_color(colors::behind) : to_color(colors::ink);
-  return render::make_line_item(path, {ink_width, color, {}, render::LineDepth::OnTop});
+  return render::make_line_item(path, {ink_width, color, {}});
 }
 
 /// Drawings in perspective and networks have z upwards: the cross says so while they are worked on.

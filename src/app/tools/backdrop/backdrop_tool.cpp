@@ -49,7 +49,7 @@ void add_frame(const Backdrop& backdrop, render::Scene& scene) {
   std::vector<render::Mark> marks;
   for (const Vec2& corner : corners)
     marks.push_back({on_plane(corner), render::MarkShape::Square, corner_size, to_color(colors::accent)});
-  const render::LineStyle style{1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop};
+  const render::LineStyle style{1.5, to_color(colors::accent), {6, 4, 0, 0}};
   add_items(scene, {lines_of({path_of(corners, on_plane, true)}, style)}, {marks_of(marks)});
 }
 

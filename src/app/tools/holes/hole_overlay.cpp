@@ -38,7 +38,7 @@ SeenThrough rims(std::vector<render::LinePath> paths, double width) {
   for (render::LinePath& path : paths) {
     for (render::LinePoint& point : path.points) point.color->a = covered_rim_alpha;
   }
-  lines.faint = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnTop});
+  lines.faint = render::make_line_item(paths, {width, {}, {}});
   return lines;
 }
 
@@ -90,7 +90,7 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
   pulled_ = marks_of({handle_mark({no_index, to, {}}, true)});
   if (!preview.pull) return;
   pull_ = lines_of({path_of(std::array{preview.pull->from, to}, to_glm)},
-                   {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
+                   {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}});
 }
 
 void HoleOverlay::add_to(render::Scene& scene) const {

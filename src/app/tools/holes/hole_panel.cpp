@@ -54,7 +54,7 @@ QString summary_of(const std::vector<HoleRow>& holes) {
   const auto tr = [](const char* text) { return Panel::tr(text); };
   if (holes.empty()) return tr("No holes");
   const auto count = [&](FillAction state, bool border) {
-    return std::count_if(holes.begin(), holes.end(), [&](const HoleRow& hole) {
+    return std::ranges::count_if(holes, [&](const HoleRow& hole) {
       return hole.state == state && (state != FillAction::Leave || hole.is_border() == border);
     });
   };

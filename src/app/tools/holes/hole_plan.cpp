@@ -13,9 +13,7 @@
 namespace croquis::app {
 namespace {
 
-bool has(std::span<const Index> holes, Index hole) {
-  return std::find(holes.begin(), holes.end(), hole) != holes.end();
-}
+bool has(std::span<const Index> holes, Index hole) { return std::ranges::count(holes, hole) > 0; }
 
 bool says_nothing(const HoleRequest& request) {
   HoleRequest empty;
@@ -104,7 +102,7 @@ std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Se
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes) {
   std::set<Index> all(holes.begin(), holes.end());
   for (const HoleRow& row : rows) {
-    if (row.kind == hole_filling::HoleClass::Islands && std::find(holes.begin(), holes.end(), row.id) != holes.end())
+    if (row.kind == hole_filling::HoleClass::Islands && has(holes, row.id))
       all.insert(row.companions.begin(), row.companions.end());
   }
   return {all.begin(), all.end()};
@@ -141,8 +139,7 @@ HoleRequest HolePlan::request(Index hole) const {
 }
 
 bool HolePlan::is_bridged(Index hole) const {
-  return std::any_of(bridges_.begin(), bridges_.end(),
-                     [&](const HoleRequest& request) { return has(request.holes, hole); });
+  return std::ranges::any_of(bridges_, [&](const HoleRequest& request) { return has(request.holes, hole); });
 }
 
 HoleRequest& HolePlan::entry(Index hole) {
@@ -162,7 +159,7 @@ void HolePlan::forget_empty() {
 
 void HolePlan::part_bridges(std::span<const Index> holes) {
   std::erase_if(bridges_, [&](const HoleRequest& request) {
-    return std::any_of(request.holes.begin(), request.holes.end(), [&](Index hole) { return has(holes, hole); });
+    return std::ranges::any_of(request.holes, [&](Index hole) { return has(holes, hole); });
   });
 }
 
@@ -202,9 +199,8 @@ ParameterValues HolePlan::values() const {
   FillChoice choice = choice_;
   std::vector<HoleRequest>& requests = choice.requests;
   for (const auto& [hole, request] : single_) {
-    const auto same = std::find_if(requests.begin(), requests.end(), [&, &own = request](const HoleRequest& other) {
-      return same_but_holes(own, other);
-    });
+    const auto same = std::ranges::find_if(
+        requests, [&, &own = request](const HoleRequest& other) { return same_but_holes(own, other); });
     if (same == requests.end() || !request.through.empty())
       requests.push_back(request);
     else

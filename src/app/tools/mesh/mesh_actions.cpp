@@ -32,9 +32,8 @@ constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
 double extrusion_distance(const PolyMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& place : mesh.positions) box.extend(place);
-  return box.isEmpty() ? 0 : extrusion_share * box.diagonal().norm();
+  const BoundingBox box = bounds_of(mesh);
+  return box ? extrusion_share * ((*box)[1] - (*box)[0]).norm() : 0;
 }
 
 /// Edits with actions of their own, which set their numbers by hand.

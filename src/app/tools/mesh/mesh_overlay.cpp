@@ -203,8 +203,7 @@ void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
     if (item) scene.points.push_back(item);
   }
   const auto is_shown = [&](const render::FaceHighlightPtr& highlight) {
-    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                       [&](const auto& mesh) { return mesh.item == highlight->mesh; });
+    return std::ranges::any_of(scene.meshes, [&](const auto& mesh) { return mesh.item == highlight->mesh; });
   };
   for (const render::FaceHighlightPtr& highlight : faces_) {
     if (highlight && is_shown(highlight)) scene.highlights.push_back(highlight);

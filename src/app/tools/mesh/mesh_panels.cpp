@@ -221,23 +221,24 @@ Panel* make_set_panel(MeshEditingTool& mesh) {
     made->setStyleSheet("padding: 2px 6px");
     return made;
   };
-  panel
-      ->row(
-          {button("set-new", Panel::tr("New"), Panel::tr("A set of the selected edges or vertices"),
-                  [&mesh] { make_crease_set(mesh); }),
-           sharpness,
-           button("set-select", Panel::tr("Select"), Panel::tr("Selects the set's edges or vertices"),
-                  [&mesh, list] { take_step(mesh, recorded::TagSet{.how = "select", .name = chosen_set(*list)}); }),
-           button("set-merge", Panel::tr("Merge"), Panel::tr("Puts all chosen sets into the first one"),
-                  [&mesh, list] { merge_sets(mesh, chosen_sets(*list)); }),
-           button("set-delete", Panel::tr("Delete"), Panel::tr("Forgets the set; its edges stay as sharp as they are"),
-                  [&mesh, list] { take_step(mesh, recorded::TagSet{.how = "remove", .name = chosen_set(*list)}); })})
-      ->setSpacing(3);
+  const auto take = [&mesh, list](const char* how) {
+    return [&mesh, list, how] { take_step(mesh, recorded::TagSet{.how = how, .name = chosen_set(*list)}); };
+  };
+  QPushButton* fresh = button("set-new", Panel::tr("New"), Panel::tr("A set of the selected edges or vertices"),
+                              [&mesh] { make_crease_set(mesh); });
+  QPushButton* select =
+      button("set-select", Panel::tr("Select"), Panel::tr("Selects the set's edges or vertices"), take("select"));
+  QPushButton* merge = button("set-merge", Panel::tr("Merge"), Panel::tr("Puts all chosen sets into the first one"),
+                              [&mesh, list] { merge_sets(mesh, chosen_sets(*list)); });
+  QPushButton* remove = button("set-delete", Panel::tr("Delete"),
+                               Panel::tr("Forgets the set; its edges stay as sharp as they are"), take("remove"));
+  panel->row({fresh, sharpness, select, merge, remove})->setSpacing(3);
   panel->also([&mesh, list, sharpness] {
     const bool editing = list->findChild<QWidget*>("qt_edit") != nullptr;
     if (editing) return;
     const auto now = mesh.tool().editable().mesh();
-    const MeshTags tags = now ? now->tags : MeshTags();
+    static const MeshTags none;
+    const MeshTags& tags = now ? now->tags : none;
     show_sets(*list, tags);
     const CreaseSet* set = find_set(tags, chosen_set(*list));
     sharpness->setEnabled(set != nullptr && !set->edges.empty());

@@ -140,11 +140,9 @@ std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& le
   }
   std::vector<render::LineItemPtr> items;
   if (casing.empty()) return items;
-  items.push_back(render::make_line_item(
-      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
+  items.push_back(render::make_line_item(casing, {letter_casing_width, to_color(colors::paper, 220), {}}));
   for (const auto& [group, paths] : by_group) {
-    items.push_back(
-        render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
+    items.push_back(render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}}));
   }
   return items;
 }
@@ -240,8 +238,7 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
                               bool points) {
   strokes_ = stroke_items(drawing, on_sketch_plane, 1);
   const std::vector<Vec2> corners = corners_of_box(drawing.origin, drawing.origin + drawing.image_size);
-  sheet_ =
-      lines_of({path_of(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  sheet_ = lines_of({path_of(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}});
   bounds_ = sheet_->bounds;
   for (const PerspectiveStroke& stroke : drawing.strokes) {
     if (!is_drawable(stroke)) continue;
@@ -260,7 +257,7 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
                                    joint ? 8 : 7, colors::accent));
     }
   }
-  selected_ = lines_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
+  selected_ = lines_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}});
   points_ = marks_of(anchors);
   std::vector<render::Mark> dots;
   for (const Vec2& place : vertices_of(drawing)) {
@@ -286,7 +283,7 @@ void SheetScene::show_residuals(const PerspectiveDrawing& drawing, const Perspec
     heat.push_back(sheet_path(*stroke, on_sketch_plane));
     for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 150);
   }
-  residuals_ = lines_of(heat, {edge_width + 7, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  residuals_ = lines_of(heat, {edge_width + 7, to_color(colors::warning), {}});
 }
 
 void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
@@ -302,7 +299,7 @@ void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const 
   }
   if (places[0] && places[1]) horizon.push_back(path_of(std::array{*places[0], *places[1]}, on_sketch_plane));
   vanishing_ = marks_of(handles);
-  horizon_ = lines_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
+  horizon_ = lines_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}});
 }
 
 void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings& findings) {
@@ -331,11 +328,11 @@ void SheetScene::show_preview(const PerspectiveDrawing& drawing, const Perspecti
     if (const PerspectiveStroke* stroke = find_stroke(drawing, id))
       paths.push_back(sheet_path(*stroke, on_sketch_plane));
   }
-  render::LineStyle style{edge_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  render::LineStyle style{edge_width + 1, to_color(colors::error), {}};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
     paths.push_back(path_of(corners_of_box(low, high), on_sketch_plane, true));
-    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}};
   }
   preview_ = lines_of(paths, style);
   snap_ = preview.snap ? marks_of({sheet_mark(*preview.snap, render::MarkShape::Ring, 16, colors::hover)}) : nullptr;
@@ -345,14 +342,13 @@ void SheetScene::show_hovered(const PerspectiveDrawing& drawing, const std::opti
   const PerspectiveStroke* stroke = id ? find_stroke(drawing, *id) : nullptr;
   hovered_.reset();
   if (stroke == nullptr || !is_drawable(*stroke)) return;
-  hovered_ = lines_of({sheet_path(*stroke, on_sketch_plane)},
-                      {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = lines_of({sheet_path(*stroke, on_sketch_plane)}, {edge_width + 3, to_color(colors::hover, 120), {}});
 }
 
 void SheetScene::show_proposed(const std::vector<PerspectiveStroke>& strokes) {
   std::vector<render::LinePath> paths;
   for (const PerspectiveStroke& stroke : strokes) paths.push_back(sheet_path(stroke, on_sketch_plane));
-  proposed_ = lines_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}, render::LineDepth::OnTop});
+  proposed_ = lines_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}});
 }
 
 void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array<std::optional<Vec3>, 3>& vanishing,
@@ -368,7 +364,7 @@ void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array
     const render::Color color = to_color(group_color(static_cast<StrokeGroup>(axis)), 90);
     for (render::LinePoint& end : rays.back().points) end.color = color;
   }
-  guides_ = lines_of(rays, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  guides_ = lines_of(rays, {1, to_color(colors::guide), {}});
 }
 
 void SheetScene::add_to(render::Scene& scene, const PerspectiveDrawing& drawing, double units_per_pixel) const {

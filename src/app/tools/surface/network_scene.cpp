@@ -28,8 +28,7 @@ const QColor point_color(242, 140, 40);
 void add_lines(std::vector<render::LineItemPtr>& items, const std::vector<render::LinePath>& paths, double width,
                const QColor& color, const render::DashPattern& dash = {}) {
   if (paths.empty()) return;
-  items.push_back(
-      render::make_line_item(paths, {width, to_color(color, behind_alpha), dash, render::LineDepth::OnTop}));
+  items.push_back(render::make_line_item(paths, {width, to_color(color, behind_alpha), dash}));
   items.push_back(render::make_line_item(paths, {width, to_color(color), dash, render::LineDepth::OnSurface}));
 }
 
@@ -178,8 +177,8 @@ void NetworkScene::show_network(const AttributeNetwork& network, const ShownSurf
   add_lines(curves_, creases, crease_width, colors::ink);
   add_lines(curves_, smooth, smooth_width, smooth_color);
   add_lines(curves_, inside, inner_width, inner_color, {7, 3, 0, 0});
-  selected_ = lines_of(chosen, {halo_width, to_color(colors::accent, 150), {}, render::LineDepth::OnTop});
-  failed_ = lines_of(failed, {crease_width, to_color(colors::error), {6, 4, 0, 0}, render::LineDepth::OnTop});
+  selected_ = lines_of(chosen, {halo_width, to_color(colors::accent, 150), {}});
+  failed_ = lines_of(failed, {crease_width, to_color(colors::error), {6, 4, 0, 0}});
   std::vector<render::Mark> nodes, points;
   for (const AttributeNode& node : network.nodes) {
     const bool is_chosen = selected.has(NetworkElement::Node, node.id);
@@ -219,9 +218,9 @@ void NetworkScene::show_handles(const SurfaceTool& tool, const AttributeNetwork&
   }
   if (const std::vector<Vec3> places = ring_of(tool); places.size() > 2)
     ring.push_back(path_through(places, to_world, true));
-  polygons_ = lines_of(polygons, {1, to_color(colors::accent, 170), {4, 3, 0, 0}, render::LineDepth::OnTop});
-  slopes_ = lines_of(slopes, {2, to_color(colors::hover), {}, render::LineDepth::OnTop});
-  ring_ = lines_of(ring, {2.2, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  polygons_ = lines_of(polygons, {1, to_color(colors::accent, 170), {4, 3, 0, 0}});
+  slopes_ = lines_of(slopes, {2, to_color(colors::hover), {}});
+  ring_ = lines_of(ring, {2.2, to_color(colors::accent), {}});
   handles_ = marks_of(handles);
   tips_ = marks_of(tips);
 }
@@ -261,9 +260,9 @@ void NetworkScene::show_preview(const SurfacePreview& preview, const AttributeNe
     marks.back().outline = to_color(colors::ink);
   }
   if (preview.hit) marks.push_back(place_mark(to_world(preview.hit->point), render::MarkShape::Disc, 6, colors::hover));
-  ink_ = lines_of(ink, {crease_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
-  loop_ = lines_of(loop, {halo_width, to_color(colors::hover, 190), {}, render::LineDepth::OnTop});
-  hovered_ = lines_of(hovered, {halo_width - 1, to_color(colors::hover, 150), {}, render::LineDepth::OnTop});
+  ink_ = lines_of(ink, {crease_width, to_color(colors::accent), {}});
+  loop_ = lines_of(loop, {halo_width, to_color(colors::hover, 190), {}});
+  hovered_ = lines_of(hovered, {halo_width - 1, to_color(colors::hover, 150), {}});
   snap_ = marks_of(marks);
 }
 
@@ -282,7 +281,7 @@ void NetworkScene::show_jumps(const AttributeNetwork& network, const ShownSurfac
                         QString::number(degrees, 'f', degrees < seen_degrees ? 3 : 2) + QStringLiteral("°"),
                         jump_color(degrees)});
   }
-  jumps_ = lines_of(paths, {halo_width - 1, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  jumps_ = lines_of(paths, {halo_width - 1, to_color(colors::warning), {}});
 }
 
 void NetworkScene::add_to(render::Scene& scene) const {
