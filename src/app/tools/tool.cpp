@@ -16,6 +16,11 @@ namespace {
 
 constexpr int watch_ms = 100;
 
+void watch(QTimer& timer, bool down) {
+  if (down && !timer.isActive()) timer.start(watch_ms);
+  if (!down) timer.stop();
+}
+
 }  // namespace
 
 Views& ToolHost::views() { return viewport().views(); }
@@ -70,14 +75,11 @@ QString offer(const ToolHost& host) {
 }
 
 Tool::Tool(ToolHost& host, const QString& about) : help_topic(about), host_(host) {
-  connect(&watch_, &QTimer::timeout, this,
-          [this] { take(input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9)); });
-}
-
-void Tool::take(const std::vector<PenStep>& steps) {
-  if (!steps.empty()) feed(steps);
-  if (down() && !watch_.isActive()) watch_.start(watch_ms);
-  if (!down()) watch_.stop();
+  connect(&watch_, &QTimer::timeout, this, [this] {
+    const auto steps = input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9);
+    if (!steps.empty()) feed(steps);
+    watch(watch_, down());
+  });
 }
 
 void Tool::take(const PointerEvent& event) {
@@ -85,14 +87,18 @@ void Tool::take(const PointerEvent& event) {
   if (!leaves || !drags_leave_views_) {
     last_time_ = event.time;
     since_event_.start();
-    take(input_.handle(event));
+    const auto steps = input_.handle(event);
+    if (!steps.empty()) feed(steps);
+    watch(watch_, down());
   }
   if (!down() || leaves) hover(event);
 }
 
 bool Tool::abandon() {
   if (!down()) return false;
-  take(input_.cancel());
+  const auto steps = input_.cancel();
+  if (!steps.empty()) feed(steps);
+  watch(watch_, down());
   return true;
 }
 

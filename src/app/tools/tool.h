@@ -252,8 +252,6 @@ class Tool : public QObject {
   bool drags_leave_views_ = false;  ///< a gesture goes on where the pointer leaves the views
 
  private:
-  void take(const std::vector<PenStep>& steps);
-
   ToolHost& host_;
   QTimer watch_;  ///< of a stroke under way: a pen may vanish without an event
   double last_time_ = 0;

@@ -24,7 +24,12 @@ const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Selec
                                                 {"scale", MeshHandles::Scale},
                                                 {"sharpen", MeshHandles::Sharpen}};
 
-constexpr QPointF value_offset(14, -24);  // from the pointer
+/// @param origin of its view, in the pixels of the views, which are the bounds
+void put_value(ChipSet& chips, const QPointF& origin, const PointerValue& value, const QRectF& bounds) {
+  constexpr QPointF from_pointer(14, -24);
+  const QPointF at = origin + QPointF(value.pixel.x(), value.pixel.y());
+  chips.put_value("edge-value", value.text, "#609ce6", at + from_pointer, bounds);
+}
 
 /// The colours of tagged edges with what they mean.
 Legend* make_sharpness_legend(QWidget* views) {
@@ -313,11 +318,7 @@ std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
 void MeshEditingTool::place_chips(ChipPlaces& places) {
   places.put_legend(*legend_, overlay_.shows_tags());
   chips_.begin(places);
-  if (value_) {
-    const QPointF pointer(value_->pixel.x(), value_->pixel.y());
-    const QPointF at = places.layout().pane(value_->view).rect.topLeft() + pointer + value_offset;
-    chips_.put_value("edge-value", value_->text, "#609ce6", at, host().viewport().rect());
-  }
+  if (value_) put_value(chips_, places.layout().pane(value_->view).rect.topLeft(), *value_, host().viewport().rect());
   chips_.end();
 }
 

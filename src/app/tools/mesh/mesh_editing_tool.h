@@ -13,6 +13,13 @@
 
 namespace croquis::app {
 
+/// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
+struct PointerValue {
+  int view = 0;
+  Vec2 pixel = Vec2::Zero();  ///< of the view
+  QString text;
+};
+
 /// Meshes: objects and their vertices, edges and faces are selected, moved, tagged and cut, by pen and mouse in any
 /// view and by menus.
 class MeshEditingTool final : public Tool {
@@ -28,7 +35,6 @@ class MeshEditingTool final : public Tool {
 
   /// What the pointer picks: objects or elements of one kind.
   void set_mesh_mode(MeshMode mode);
-
   void enter_mesh_mode(MeshMode mode);  ///< the same where the window's mode stays
 
   /// Shows what is there after the document or the selection has changed.
@@ -73,12 +79,6 @@ class MeshEditingTool final : public Tool {
   bool cage_hidden_ = false;  ///< the smooth surface alone is wanted, also while elements are picked
   int gesture_view_ = 0;
   Legend* legend_;
-  /// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
-  struct PointerValue {
-    int view = 0;
-    Vec2 pixel = Vec2::Zero();  ///< of the view
-    QString text;
-  };
   std::optional<PointerValue> value_;
   ChipSet chips_;
   MeshActions actions_;
