@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/panels/number_box.h"
 #include "app/views/patch_surface.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/surface_view.h"
@@ -41,6 +40,10 @@ bool keeps_what_trimming_left(const PolyMesh& filled, const PolyMesh& scan, cons
   return kept < scan.face_count();
 }
 
+QString counted(std::size_t count, const QString& one, const QString& many) {
+  return (count == 1 ? one : many).arg(count);
+}
+
 /// Edges that nothing explains. A remeshed model has other edges along the same border.
 std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left) {
   const std::size_t known = left.border_edges + left.hole_edges;
@@ -50,13 +53,13 @@ std::size_t surprising_edges(const CheckedSurface& checked, const LeftOpen& left
 
 QString opening(const CheckedSurface& checked, const LeftOpen& left) {
   const auto tr = [](const char* text) { return SurfaceCheck::tr(text); };
-  const auto edges = [&](std::size_t count) { return counted_words(count, tr("%1 edge"), tr("%1 edges")); };
+  const auto edges = [&](std::size_t count) { return counted(count, tr("%1 edge"), tr("%1 edges")); };
   if (checked.open_edges == 0) {
     if (checked.seam_edges == 0) return tr("closed");
     return tr("closed but for seams (%1): merge the vertices of the scan").arg(edges(checked.seam_edges));
   }
   const std::size_t surprising = surprising_edges(checked, left);
-  if (surprising == checked.open_edges) return counted_words(surprising, tr("%1 open edge"), tr("%1 open edges"));
+  if (surprising == checked.open_edges) return counted(surprising, tr("%1 open edge"), tr("%1 open edges"));
   // Of a remeshed model only the sum is known.
   const bool apart = checked.has_patches && left.borders > 0 && left.holes > 0;
   const QString all = apart ? QString() : " (" + edges(checked.open_edges - surprising) + ")";
@@ -66,7 +69,7 @@ QString opening(const CheckedSurface& checked, const LeftOpen& left) {
                   (apart ? " (" + edges(left.border_edges) + ")" : QString());
   }
   if (left.holes > 0) {
-    places << counted_words(left.holes, tr("%1 hole"), tr("%1 holes")) +
+    places << counted(left.holes, tr("%1 hole"), tr("%1 holes")) +
                   (apart ? " (" + edges(left.hole_edges) + ")" : QString());
   }
   const QString text = tr("open at %1").arg(places.join(tr(" and "))) + all;
@@ -104,10 +107,9 @@ QString sentence_of(const CheckedSurface& checked, const LeftOpen& left) {
   QStringList parts;
   parts << (checked.nonmanifold_edges == 0
                 ? tr("manifold")
-                : counted_words(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
-  parts << (checked.has_patches
-                ? counted_words(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
-                : counted_words(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
+                : counted(checked.nonmanifold_edges, tr("%1 non-manifold edge"), tr("%1 non-manifold edges")));
+  parts << (checked.has_patches ? counted(checked.intersections, tr("%1 new intersection"), tr("%1 new intersections"))
+                                : counted(checked.intersections, tr("%1 intersection"), tr("%1 intersections")));
   if (!checked.has_patches)
     parts << tr("remeshed");
   else if (checked.outside_unchanged)
