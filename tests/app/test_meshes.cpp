@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QFile>
+#include <QSlider>
 #include <QTest>
 #include <QTreeWidget>
 #include <cmath>
@@ -13,7 +14,6 @@
 #include "app/replay/replay_player.h"
 #include "app/start/gallery.h"
 #include "app/studio_fixture.h"
-#include "app/tools/mesh/mesh_panels.h"
 #include "app/tools/subdivision/subdivision_tool.h"
 #include "app/window/theme.h"
 #include "croquis/document/content_hash.h"
@@ -291,11 +291,11 @@ TEST_CASE("a cage that can't be refined is reported in words that lead to its el
 TEST_CASE("edges chosen by angle are counted and selected while one drags", "[meshes]") {
   StudioFixture hand;
   hand.open_cage("cube_corner");
-  auto* panel = hand.window().findChild<app::TagPanel*>("tags");
-  panel->choose_by_angle(80);
+  auto* slider = hand.window().findChild<QSlider*>("angle-slider");
+  slider->setValue(80);
   CHECK(selected(hand).elements.size() == 12);
   CHECK(hand.window().findChild<QLabel*>("angle-count")->text() == "12");
-  panel->choose_by_angle(100);
+  slider->setValue(100);
   CHECK(selected(hand).elements.empty());
 }
 

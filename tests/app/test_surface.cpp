@@ -158,7 +158,7 @@ TEST_CASE(
   REQUIRE(compared->comparison.points.size() == 1);
   CHECK(compared->comparison.points[0].own->offset < compared->comparison.points[0].uniform->offset);
   CHECK(hand.window().findChild<QLabel*>("domain-numbers")->text().contains("uniform"));
-  CHECK(tool_of(hand).domain_panel().view().uniform());
+  CHECK(hand.window().findChild<app::DomainView*>("domain-view")->uniform());
   shoot(hand, "5-uniform");
   QTest::keyClick(&hand.viewport(), Qt::Key_U);
   hand.settle();
@@ -243,7 +243,7 @@ TEST_CASE("a point picked in a view is moved by its numbers in the panel, and it
   CHECK(drawn(hand).points[0].point.z() == Approx(0.7));
   CHECK(drawn(hand).points[0].point.x() == before.x());
   CHECK(hand.studio().session().undo_labels().size() == 1);
-  const auto& domain = tool_of(hand).domain_panel().view().own();
+  const auto& domain = hand.window().findChild<app::DomainView*>("domain-view")->own();
   REQUIRE(domain);
   CHECK(domain->polygon.corners.size() == 3);
   REQUIRE(domain->points.size() == 1);

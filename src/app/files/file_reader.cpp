@@ -32,10 +32,6 @@
 namespace croquis::app {
 namespace {
 
-std::string local_name(const QString& path) { return QFile::encodeName(path).toStdString(); }
-
-bool is_sketch(const QString& path) { return QFileInfo(path).suffix().toLower() == "svg"; }
-
 /// Drawings in perspective say that they are.
 bool is_perspective_drawing(const std::string& bytes) { return bytes.find("urn:croquis:perspective:") != bytes.npos; }
 
@@ -143,15 +139,57 @@ QImage read_image(const std::string& bytes, int longest_side, QSize& own_size, Q
 
 }  // namespace
 
-FileReader::FileReader() { thread_.setMaxThreadCount(1); }
+std::string local_name(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
-FileReader::~FileReader() {
-  *cancelled_ = true;
+FileThread::~FileThread() {
+  cancel();
   thread_.waitForDone();
 }
 
+void FileThread::begin(std::function<void(Progress&)> work, Take take, const std::string& too_large) {
+  if (open_++ == 0) {
+    *cancelled_ = false;
+    emit busy_changed(true);
+  }
+  thread_.start([this, work = std::move(work), take = std::move(take), too_large, cancelled = cancelled_] {
+    Progress progress([this](double fraction, const std::string& step) { report_progress(fraction, step); },
+                      cancelled.get());
+    bool done = false;
+    Findings findings;
+    try {
+      progress.check();
+      work(progress);
+      done = true;
+    } catch (const Error& error) {
+      findings = error.findings();
+    } catch (const Cancelled&) {
+      done = false;
+    } catch (const std::bad_alloc&) {
+      findings = {make_error(Category::Limit, "E_MEMORY", too_large)};
+    }
+    const auto end = [this, take, done, findings] {
+      --open_;
+      take(done, findings);
+      if (open_ == 0) emit busy_changed(false);
+    };
+    QMetaObject::invokeMethod(this, end, Qt::QueuedConnection);
+  });
+}
+
+void FileThread::report_progress(double fraction, const std::string& step) {
+  // One at a time: readers report far more often than a window can show.
+  if (progress_posted_.exchange(true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, fraction, text = QString::fromStdString(step)] {
+        progress_posted_ = false;
+        if (busy()) emit progress_changed(fraction, text);
+      },
+      Qt::QueuedConnection);
+}
+
 bool FileReader::replaces_document(const QString& path) {
-  return is_project_name(local_name(path)) || is_sketch(path) || is_json_drawing(path);
+  return is_project_name(local_name(path)) || has_ending(path, "svg") || is_json_drawing(path);
 }
 
 QString FileReader::dialog_filter() {
@@ -163,10 +201,9 @@ QString FileReader::dialog_filter() {
     endings << ending;
     kinds << QString("%1 (%2)").arg(to_string(format), ending);
   }
-  QStringList pictures;
-  for (const QString& ending : picture_endings()) pictures << "*" + ending;
-  kinds << tr("Pictures (%1)").arg(pictures.join(' '));
-  kinds.prepend(tr("Projects, drawings, meshes and pictures (%1)").arg((endings + pictures).join(' ')));
+  endings << picture_patterns();
+  kinds << tr("Pictures (%1)").arg(picture_patterns());
+  kinds.prepend(tr("Projects, drawings, meshes and pictures (%1)").arg(endings.join(' ')));
   return kinds.join(";;");
 }
 
@@ -182,7 +219,7 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDraw
     return {path, std::make_shared<const PolyMesh>(std::move(read.mesh)), std::move(read.warnings)};
   }
   if (is_picture_name(path)) return read_picture_file(path, std::move(bytes), file, use, progress);
-  if (is_sketch(path)) return read_drawing(path, bytes, plain, progress);
+  if (has_ending(path, "svg")) return read_drawing(path, bytes, plain, progress);
   if (has_ending(path, "json")) return read_json_file(path, bytes, file);
   if (has_ending(path, "fspy")) return {path, read_camera_file(bytes, file), {}};
   throw Error(make_error(Category::Malformed, "E_FORMAT",
@@ -190,53 +227,18 @@ ReadFile FileReader::read_now(const QString& path, Progress& progress, PlainDraw
 }
 
 void FileReader::read(const QString& path, PlainDrawing plain, PictureUse use) {
-  if (open_++ == 0) {
-    *cancelled_ = false;
-    emit busy_changed(true);
-  }
-  thread_.start([this, path, plain, use, cancelled = cancelled_] {
-    Progress progress([this](double fraction, const std::string& step) { report_progress(fraction, step); },
-                      cancelled.get());
-    std::shared_ptr<const ReadFile> file;
-    Findings findings;
-    try {
-      progress.check();
-      file = std::make_shared<const ReadFile>(read_now(path, progress, plain, use));
-      progress.check();
-    } catch (const Error& error) {
-      findings = error.findings();
-    } catch (const Cancelled&) {
-      file.reset();
-    } catch (const std::bad_alloc&) {
-      findings = {make_error(Category::Limit, "E_MEMORY",
-                             tr("\"%1\" doesn't fit into this machine's memory").arg(path).toStdString())};
-    }
-    QMetaObject::invokeMethod(
-        this, [this, path, file, findings] { take(path, file, findings); }, Qt::QueuedConnection);
-  });
-}
-
-void FileReader::report_progress(double fraction, const std::string& step) {
-  // One at a time: readers report far more often than a window can show.
-  if (progress_posted_.exchange(true)) return;
-  QMetaObject::invokeMethod(
-      this,
-      [this, fraction, text = QString::fromStdString(step)] {
-        progress_posted_ = false;
-        if (busy()) emit progress_changed(fraction, text);
-      },
-      Qt::QueuedConnection);
-}
-
-void FileReader::cancel() { *cancelled_ = true; }
-
-void FileReader::take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings) {
-  --open_;
-  if (file)
-    emit finished(*file);
-  else
-    emit failed(path, findings);
-  if (open_ == 0) emit busy_changed(false);
+  const auto file = std::make_shared<ReadFile>();
+  const auto work = [path, plain, use, file](Progress& progress) {
+    *file = read_now(path, progress, plain, use);
+    progress.check();
+  };
+  const auto take = [this, path, file](bool done, const Findings& findings) {
+    if (done)
+      emit finished(*file);
+    else
+      emit failed(path, findings);
+  };
+  begin(work, take, tr("\"%1\" doesn't fit into this machine's memory").arg(path).toStdString());
 }
 
 QStringList sentences_of(const Findings& findings, const QString& path) {
@@ -290,7 +292,7 @@ QWidget* OpeningReport::make_versions() {
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  const std::string file = QFile::encodeName(path_).toStdString();
+  const std::string file = local_name(path_);
   int shown = 0;
   for (const auto& version : project_backups(project_of_backup(file).value_or(file))) {
     const QString path = QFile::decodeName(QByteArray::fromStdString(version.string()));
@@ -319,6 +321,8 @@ const QStringList& picture_endings() {
   }();
   return endings;
 }
+
+QString picture_patterns() { return "*" + picture_endings().join(" *"); }
 
 bool is_picture_name(const QString& path) {
   return picture_endings().contains("." + QFileInfo(path).suffix(), Qt::CaseInsensitive);

@@ -9,6 +9,7 @@
 #include <QThreadPool>
 #include <QWidget>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@
 #include "croquis/io/camera_file.h"
 
 namespace croquis::app {
+
+/// A path as the file system has it.
+std::string local_name(const QString& path);
 
 /// "a", "a or b", "a, b or c".
 inline std::string either_of(const std::vector<std::string>& words) {
@@ -49,14 +53,46 @@ struct ReadFile {
 /// What becomes of a picture: it lies behind what is drawn, or its lines become strokes.
 enum class PictureUse { Backdrop, Lines };
 
-/// Reads projects, drawings, meshes and pictures on another thread, one after the other in the order asked for.
-class FileReader : public QObject {
+/// What takes long with files: on another thread, one after the other in the order asked for.
+class FileThread : public QObject {
   Q_OBJECT
 
  public:
-  FileReader();
-  ~FileReader() override;
+  FileThread() { thread_.setMaxThreadCount(1); }
+  ~FileThread() override;
 
+  /// What is being done, and what waits to be, isn't done.
+  void cancel() { *cancelled_ = true; }
+
+  bool busy() const { return open_ > 0; }
+
+ signals:
+  void progress_changed(double fraction, const QString& step);
+  void busy_changed(bool busy);
+
+ protected:
+  /// @param findings why it wasn't done; none: it was cancelled
+  using Take = std::function<void(bool done, const Findings& findings)>;
+
+  /// @param work on the other thread; it may throw
+  /// @param take in the window's thread, once it has ended
+  /// @param too_large said where there isn't enough memory
+  void begin(std::function<void(Progress&)> work, Take take, const std::string& too_large);
+
+ private:
+  void report_progress(double fraction, const std::string& step);
+
+  int open_ = 0;
+  std::atomic<bool> progress_posted_ = false;
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool thread_;
+};
+
+/// Reads projects, drawings, meshes and pictures.
+class FileReader : public FileThread {
+  Q_OBJECT
+
+ public:
   /// What opens there takes the place of what is open: projects, drawings and networks do, all else is added to it.
   static bool replaces_document(const QString& path);
 
@@ -68,11 +104,6 @@ class FileReader : public QObject {
 
   void read(const QString& path, PlainDrawing plain = PlainDrawing::Sketch, PictureUse use = PictureUse::Backdrop);
 
-  /// What is being read, and what waits to be, isn't read.
-  void cancel();
-
-  bool busy() const { return open_ > 0; }
-
   /// The file's content now, on the caller's thread. @throws Error, Cancelled
   static ReadFile read_now(const QString& path, Progress& progress, PlainDrawing plain = PlainDrawing::Sketch,
                            PictureUse use = PictureUse::Backdrop);
@@ -80,18 +111,6 @@ class FileReader : public QObject {
  signals:
   void finished(const croquis::app::ReadFile& file);
   void failed(const QString& path, const croquis::Findings& findings);  ///< none: it was cancelled
-  void progress_changed(double fraction, const QString& step);
-  void busy_changed(bool busy);
-
- private:
-  void take(const QString& path, std::shared_ptr<const ReadFile> file, const Findings& findings);
-
-  void report_progress(double fraction, const std::string& step);
-
-  int open_ = 0;
-  std::atomic<bool> progress_posted_ = false;
-  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool thread_;
 };
 
 /// The findings of a file as lines for people: each a sentence with its stop, the file named without its folders.
@@ -118,6 +137,8 @@ class OpeningReport : public QDialog {
 
 /// ".png", ".jpg" …: of the formats that can be read on this machine.
 const QStringList& picture_endings();
+/// "*.png *.jpg …", for dialogs.
+QString picture_patterns();
 bool is_picture_name(const QString& path);
 
 /// The file's picture, after a look at all of it.

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/mesh_export.h"
 
-#include <QFile>
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QStringList>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "app/files/file_reader.h"
 #include "app/window/language.h"
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
@@ -45,7 +42,11 @@ void look_at_crossings(const PolyMesh& mesh, const SelfIntersections& crossings,
   }
 }
 
-std::string local_path(const QString& path) { return QFile::encodeName(path).toStdString(); }
+void write_to(const QString& path, std::string bytes) {
+  OutputTransaction files;
+  files.add(local_name(path), std::move(bytes));
+  files.commit();
+}
 
 std::string writable_endings() {
   std::vector<std::string> endings;
@@ -134,10 +135,10 @@ std::shared_ptr<const PolyMesh> exported_mesh(const Studio& studio, const MeshEx
 }
 
 Findings export_solid(const Studio& studio, const QString& path, const MeshExport& wanted) {
-  const auto format = mesh_format_of(local_path(path));
+  const auto format = mesh_format_of(local_name(path));
   if (!format) {
     throw Error(make_error(Category::Usage, "E_FORMAT",
-                           "\"" + local_path(path) + "\" names no mesh format: use " + writable_endings()));
+                           "\"" + local_name(path) + "\" names no mesh format: use " + writable_endings()));
   }
   const std::vector<NamedMesh> meshes = meshes_of(studio, wanted);
   Progress progress;
@@ -146,9 +147,7 @@ Findings export_solid(const Studio& studio, const QString& path, const MeshExpor
   if (meshes.size() == 1 && object->shown() == meshes.front().mesh) options.camera = camera_of(studio, *object);
   if (meshes.size() == 1) options.name = meshes.front().name;
   MeshWriteResult written = write_mesh(joined(meshes), *format, options, progress);
-  OutputTransaction files;
-  files.add(local_path(path), std::move(written.bytes));
-  files.commit();
+  write_to(path, std::move(written.bytes));
   return written.warnings;
 }
 
@@ -178,10 +177,7 @@ Findings export_result(const Studio& studio, const OperationDescription& operati
   Progress progress;
   Context context{progress};
   const OperationResult made = run(*studio.registry().find(operation.id), {{input.name, value}}, {}, context);
-  OutputTransaction files;
-  files.add(local_path(path),
-            write_attribute_network(made.outputs.at(main_output(operation)->name).get<AttributeNetwork>()));
-  files.commit();
+  write_to(path, write_attribute_network(made.outputs.at(main_output(operation)->name).get<AttributeNetwork>()));
   return made.warnings;
 }
 
@@ -208,67 +204,30 @@ void export_step(const Studio& studio, const QString& path, StepExport& writer) 
   const NodeId first = studio.active()->chain.front();
   const auto sheet = source_of<PerspectiveDrawing>(studio.session().document().find(first));
   if (sheet) options.unit = length_unit_named(sheet->unit).value_or(LengthUnit::Millimetre);
-  writer.start(solid, std::move(options), path);
+  writer.start(solid, options, path);
 }
 
 void export_drawing(const Studio& studio, const QString& path) {
-  OutputTransaction files;
   const Document& document = studio.session().document();
   const auto sheet = source_of<PerspectiveDrawing>(document.find(studio.sheet_node()));
   const auto network = source_of<AttributeNetwork>(document.find(studio.network_node()));
-  files.add(local_path(path), network ? write_attribute_network(*network)
-                              : sheet ? write_perspective_svg(*sheet)
-                                      : write_svg_drawing(studio.drawing()));
-  files.commit();
+  write_to(path, network ? write_attribute_network(*network)
+                 : sheet ? write_perspective_svg(*sheet)
+                         : write_svg_drawing(studio.drawing()));
 }
 
-StepExport::StepExport() { thread_.setMaxThreadCount(1); }
-
-StepExport::~StepExport() {
-  cancel();
-  thread_.waitForDone();
-}
-
-void StepExport::start(std::shared_ptr<const Brep> solid, StepOptions options, const QString& path) {
-  if (busy_) return;
-  busy_ = true;
-  *cancelled_ = false;
-  emit busy_changed(true);
-  thread_.start([this, solid = std::move(solid), options = std::move(options), path, cancelled = cancelled_] {
-    Progress progress(
-        [this](double fraction, const std::string& step) {
-          const QString text = QString::fromStdString(step);
-          QMetaObject::invokeMethod(
-              this, [this, fraction, text] { emit progress_changed(fraction, text); }, Qt::QueuedConnection);
-        },
-        cancelled.get());
-    bool written = false;
-    Findings findings;
-    try {
-      StepFile file = write_step(*solid, options, progress);
-      OutputTransaction files;
-      files.add(QFile::encodeName(path).toStdString(), std::move(file.bytes));
-      files.commit();
-      written = true;
-    } catch (const Error& error) {
-      findings = error.findings();
-    } catch (const Cancelled&) {
-      written = false;
-    } catch (const std::bad_alloc&) {
-      findings = {make_error(Category::Limit, "E_MEMORY", "The solid doesn't fit into this machine's memory.")};
-    }
-    QMetaObject::invokeMethod(
-        this, [this, path, written, findings] { take(path, written, findings); }, Qt::QueuedConnection);
-  });
-}
-
-void StepExport::take(const QString& path, bool written, const Findings& findings) {
-  busy_ = false;
-  emit busy_changed(false);
-  if (written)
-    emit finished(path);
-  else
-    emit failed(findings);
+void StepExport::start(std::shared_ptr<const Brep> solid, const StepOptions& options, const QString& path) {
+  if (busy()) return;
+  const auto work = [solid = std::move(solid), options, path](Progress& progress) {
+    write_to(path, write_step(*solid, options, progress).bytes);
+  };
+  const auto take = [this, path](bool done, const Findings& findings) {
+    if (done)
+      emit finished(path);
+    else
+      emit failed(findings);
+  };
+  begin(work, take, "The solid doesn't fit into this machine's memory.");
 }
 
 }  // namespace croquis::app

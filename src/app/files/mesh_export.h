@@ -3,8 +3,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/files/file_reader.h"
 #include "app/studio/studio.h"
 #include "croquis/base/finding.h"
 #include "croquis/geometry/brep.h"
@@ -42,34 +41,17 @@ ExportCheck check_export(const PolyMesh& mesh, Progress& progress);
 /// "closed, 812 faces, 62 × 40 × 31 mm".
 QString summary_of(const MeshReport& figures, const QString& unit);
 
-/// Writes a solid as a STEP file on another thread, one at a time.
-class StepExport : public QObject {
+/// Writes a solid as a STEP file, one at a time.
+class StepExport : public FileThread {
   Q_OBJECT
 
  public:
-  StepExport();
-  ~StepExport() override;
-
   /// Nothing while one is being written.
-  void start(std::shared_ptr<const Brep> solid, StepOptions options, const QString& path);
-
-  /// Nothing is written then.
-  void cancel() { *cancelled_ = true; }
-
-  bool busy() const { return busy_; }
+  void start(std::shared_ptr<const Brep> solid, const StepOptions& options, const QString& path);
 
  signals:
   void finished(const QString& path);
-  void failed(const croquis::Findings& findings);  ///< none: it was cancelled
-  void progress_changed(double fraction, const QString& step);
-  void busy_changed(bool busy);
-
- private:
-  void take(const QString& path, bool written, const Findings& findings);
-
-  bool busy_ = false;
-  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool thread_;
+  void failed(const croquis::Findings& findings);  ///< none: it was cancelled, and nothing is written
 };
 
 /// The surfaces of these objects as they are shown, where they stand, by their names.

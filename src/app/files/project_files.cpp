@@ -21,8 +21,6 @@ namespace {
 constexpr int recent_count = 8;
 const QString recent_key = QStringLiteral("recent");
 
-std::string local(const QString& path) { return QFile::encodeName(path).toStdString(); }
-
 QString whole_path(const QString& path) {
   const QFileInfo file(path);
   const QString canonical = file.canonicalFilePath();
@@ -35,7 +33,7 @@ Finding open_elsewhere(const QString& path) {
                       "\"" + name +
                           "\" is open in another window of Croquis, too: whoever saves last replaces what the other "
                           "saved, so close one of them or save under another name",
-                      {{SubjectKind::File, name, local(path), {}, {}}});
+                      {{SubjectKind::File, name, local_name(path), {}, {}}});
 }
 
 std::pair<QDateTime, qint64> time_and_size(const QString& path) {
@@ -99,12 +97,12 @@ QString ProjectFiles::rescue_path() const {
     const QFileInfo file(path_);
     return file.dir().filePath(tr("%1 rescued.croq").arg(file.completeBaseName()));
   }
-  const auto project = project_of_backup(local(earlier_version_));
+  const auto project = project_of_backup(local_name(earlier_version_));
   return project ? QString::fromStdString(project->string()) : QString();
 }
 
 void ProjectFiles::note_damage(const QString& path, const Findings& findings) {
-  const bool project = path.endsWith(".croq", Qt::CaseInsensitive) || project_of_backup(local(path));
+  const bool project = path.endsWith(".croq", Qt::CaseInsensitive) || project_of_backup(local_name(path));
   if (project && name_damage(findings)) damaged_.insert(whole_path(path));
 }
 
@@ -112,7 +110,7 @@ bool ProjectFiles::is_open_elsewhere(const QString& path) {
   const bool own = whole_path(path) == whole_path(path_);
   if (own && lock_) return false;
   try {
-    auto lock = ProjectLock::take(local(state_folder_), local(path));
+    auto lock = ProjectLock::take(local_name(state_folder_), local_name(path));
     if (!lock) return true;
     if (own) lock_ = std::move(lock);
   } catch (const Error&) {
@@ -177,14 +175,14 @@ void ProjectFiles::take(const ReadFile& file) {
     take_whole(studio_, file);
     // An earlier version of a project is looked at, and saved under a name that the user chooses.
     const bool project = std::holds_alternative<Document>(file.content);
-    const bool earlier = project && project_of_backup(local(file.path));
+    const bool earlier = project && project_of_backup(local_name(file.path));
     set_path(project && !earlier ? file.path : QString(), earlier ? file.path : QString());
   }
   note_damage(file.path, file.warnings);
   Findings warnings = file.warnings;
   if (file.path == path_ && is_open_elsewhere(path_)) warnings.push_back(open_elsewhere(path_));
   warnings_.add(warnings, studio_.session().document());
-  if (!project_of_backup(local(file.path))) remember(file.path);
+  if (!project_of_backup(local_name(file.path))) remember(file.path);
   emit opened(file.path, warnings);
 }
 
@@ -196,10 +194,10 @@ QString ProjectFiles::save(const QString& path) {
   project.kept = {kept_results(studio_), {}, studio_.session().versions.list()};
   QString aside;
   if (is_damaged(path) && QFileInfo::exists(path)) {
-    aside = QString::fromStdString(put_damaged_project_aside(local(path)).string());
+    aside = QString::fromStdString(put_damaged_project_aside(local_name(path)).string());
   }
   try {
-    save_project(local(path), project, progress);
+    save_project(local_name(path), project, progress);
   } catch (const Error&) {
     if (!aside.isEmpty()) QFile::rename(aside, path);
     throw;
@@ -215,7 +213,7 @@ QString ProjectFiles::save(const QString& path) {
 
 std::vector<RecoveryOffer> ProjectFiles::recoverable() const {
   std::vector<RecoveryOffer> offers;
-  for (const RecoverableWork& work : find_recoverable(local(state_folder_))) {
+  for (const RecoverableWork& work : find_recoverable(local_name(state_folder_))) {
     offers.push_back({QString::fromStdString(work.file.string()), QString::fromStdString(work.project_path),
                       QDateTime::fromString(QString::fromStdString(work.time), Qt::ISODate),
                       image_of(work.thumbnail_png)});
@@ -225,12 +223,12 @@ std::vector<RecoveryOffer> ProjectFiles::recoverable() const {
 
 void ProjectFiles::recover(const RecoveryOffer& offer) {
   Progress progress;
-  ProjectFile work = croquis::recover(local(offer.file), progress);
+  ProjectFile work = croquis::recover(local_name(offer.file), progress);
   studio_.load(std::move(work.document), true, std::move(work.kept));
   set_path(offer.project);
   warnings_.add(work.warnings, studio_.session().document());
   keeper_.save_now();
-  croquis::discard(local(offer.file));
+  croquis::discard(local_name(offer.file));
 }
 
 void ProjectFiles::set_path(const QString& path, const QString& earlier_version) {
@@ -289,6 +287,6 @@ QString next_increment(const QString& path) {
   return next.filePath();
 }
 
-void discard(const RecoveryOffer& offer) { croquis::discard(local(offer.file)); }
+void discard(const RecoveryOffer& offer) { croquis::discard(local_name(offer.file)); }
 
 }  // namespace croquis::app

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/work_keeper.h"
 
-#include <QFile>
 #include <utility>
 
+#include "app/files/file_reader.h"
 #include "app/window/language.h"
 #include "croquis/base/error.h"
 
@@ -14,8 +14,6 @@ constexpr int autosave_delay_ms = 300;
 constexpr int thumbnail_pause_ms = 10'000;   // pictures cost more than commits
 constexpr std::size_t most_kept_steps = 50;  // that undo leads back to after a crash
 constexpr QSize thumbnail_size(320, 240);
-
-std::string encoded(const QString& path) { return QFile::encodeName(path).toStdString(); }
 
 }  // namespace
 
@@ -81,7 +79,7 @@ void WorkKeeper::save() {
     has_thumbnail_ = true;
     since_thumbnail_.start();
   }
-  disk_.start([this, document, path = encoded(project_), folder = encoded(state_folder_), kept = std::move(kept),
+  disk_.start([this, document, path = local_name(project_), folder = local_name(state_folder_), kept = std::move(kept),
                items = wants_picture ? items : std::vector<render::Shown<render::MeshItem>>()] {
     try {
       if (!working_copy_) working_copy_ = std::make_unique<WorkingCopy>(WorkingCopy::create(folder));

@@ -29,6 +29,13 @@
 namespace croquis::app {
 namespace {
 
+/// What it does, and its unit.
+QString parameter_help(const ParameterDescription& description) {
+  const QString sentence = shown_text(description.sentence);
+  if (description.unit.empty()) return sentence;
+  return sentence + '\n' + QObject::tr("Unit: %1").arg(shown_text(description.unit));
+}
+
 /// Small words under the ends of a slider.
 void add_ends(QSlider* slider, QHBoxLayout* row, const std::vector<std::string>& ends) {
   if (ends.empty()) return;
@@ -178,6 +185,28 @@ void make_text(ParameterField& field, const ParameterDescription& description) {
   });
 }
 
+ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent) {
+  auto* field = new ParameterField(parent);
+  switch (description.type) {
+    case ParameterType::Number: make_number(*field, description); break;
+    case ParameterType::Integer: make_integer(*field, description); break;
+    case ParameterType::Choice: make_choice(*field, description); break;
+    case ParameterType::Flag: make_flag(*field, description); break;
+    case ParameterType::Text:
+    case ParameterType::File: make_text(*field, description); break;
+  }
+  auto* reset = new QAction(QObject::tr("Reset to default"), field);
+  QObject::connect(reset, &QAction::triggered, field, [field] { emit field->edited(std::string(), false); });
+  for (auto* part : field->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (qobject_cast<QLineEdit*>(part) != nullptr) continue;  // whose text people delete
+    part->addAction(reset);
+    part->setContextMenuPolicy(Qt::ActionsContextMenu);
+  }
+  field->setObjectName(QString::fromStdString(description.name));
+  field->setToolTip(parameter_help(description));
+  return field;
+}
+
 /// What is shown beside the number, or instead of it.
 NumberNote note_of(const Studio& studio, const Node& node, const ParameterDescription& parameter,
                    const ParameterValue& value) {
@@ -202,25 +231,14 @@ bool lists_edits(const OperationDescription& operation, const ParameterDescripti
 
 }  // namespace
 
-ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent) {
-  auto* field = new ParameterField(parent);
-  switch (description.type) {
-    case ParameterType::Number: make_number(*field, description); break;
-    case ParameterType::Integer: make_integer(*field, description); break;
-    case ParameterType::Choice: make_choice(*field, description); break;
-    case ParameterType::Flag: make_flag(*field, description); break;
-    case ParameterType::Text:
-    case ParameterType::File: make_text(*field, description); break;
-  }
-  auto* reset = new QAction(QObject::tr("Reset to default"), field);
-  QObject::connect(reset, &QAction::triggered, field, [field] { emit field->edited(std::string(), false); });
-  for (auto* part : field->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-    if (qobject_cast<QLineEdit*>(part) != nullptr) continue;  // whose text people delete
-    part->addAction(reset);
-    part->setContextMenuPolicy(Qt::ActionsContextMenu);
-  }
-  field->setObjectName(QString::fromStdString(description.name));
-  field->setToolTip(parameter_help(description));
+ParameterField* add_parameter_row(QFormLayout& form, const ParameterDescription& description,
+                                  std::function<void(const ParameterValue& value, bool dragging)> take) {
+  ParameterField* field = make_parameter_field(description, form.parentWidget());
+  QObject::connect(field, &ParameterField::edited, form.parentWidget(), std::move(take));
+  auto* label = new QLabel(parameter_title(description), form.parentWidget());
+  label->setToolTip(parameter_help(description));
+  label->setBuddy(field);
+  form.addRow(label, field);
   return field;
 }
 
@@ -229,12 +247,6 @@ QString parameter_title(const ParameterDescription& description) {
   const bool is_short = description.unit.size() <= longest_unit;
   if (!description.unit.empty() && is_short) title += " (" + shown_text(description.unit) + ")";
   return title;
-}
-
-QString parameter_help(const ParameterDescription& description) {
-  const QString sentence = shown_text(description.sentence);
-  if (description.unit.empty()) return sentence;
-  return sentence + '\n' + QObject::tr("Unit: %1").arg(shown_text(description.unit));
 }
 
 PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new QCheckBox(tr("Keep proportions"))) {
@@ -391,15 +403,10 @@ void AttributePanel::make_fields(const OperationDescription& description) {
     }
     // The flag is for hosts that only want the list.
     if (parameter.place == ParameterPlace::Nowhere || parameter.name == description.list_flag) continue;
-    ParameterField* field = make_parameter_field(parameter, this);
-    connect(field, &ParameterField::edited, this,
-            [this, name = parameter.name](const ParameterValue& value, bool drag) {
-              emit parameter_edited(node_, name, value, drag);
-            });
-    auto* label = new QLabel(parameter_title(parameter), this);
-    label->setToolTip(parameter_help(parameter));
-    label->setBuddy(field);
-    layout_->addRow(label, field);
+    ParameterField* field =
+        add_parameter_row(*layout_, parameter, [this, name = parameter.name](const ParameterValue& value, bool drag) {
+          emit parameter_edited(node_, name, value, drag);
+        });
     fields_[parameter.name] = field;
     if (parameter.place == ParameterPlace::Expert) expert.push_back(field);
   }

@@ -47,14 +47,13 @@ class ParameterField : public QWidget {
   std::function<void(const ParameterValue& value)> show_;
 };
 
-/// Its object name is the parameter's name.
-ParameterField* make_parameter_field(const ParameterDescription& description, QWidget* parent);
+/// Adds a row to a form: the parameter's title and its field, which is called by the parameter's name.
+/// @param take what people set, as ParameterField::edited says it
+ParameterField* add_parameter_row(QFormLayout& form, const ParameterDescription& description,
+                                  std::function<void(const ParameterValue& value, bool dragging)> take);
 
 /// "Smooth arcs", with its unit where that is a short word; of a parameter without a title "Weight curvature".
 QString parameter_title(const ParameterDescription& description);
-
-/// What it does, and its unit.
-QString parameter_help(const ParameterDescription& description);
 
 /// Where the active object stands, as numbers: the middle of its box, its rotation in degrees, and its size along its
 /// own axes.

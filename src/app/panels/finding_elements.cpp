@@ -50,8 +50,8 @@ std::vector<Index> holes_of(const Finding& finding) {
   return sorted_unique(std::move(holes));
 }
 
-FoundElements elements_of(const Finding& finding, const MeshTopology& topology) {
-  FoundElements found;
+PickedElements elements_of(const Finding& finding, const MeshTopology& topology) {
+  PickedElements found;
   for (const Subject& subject : finding.subjects) {
     const auto kind = kind_of(subject.kind);
     if (!kind || (!found.elements.empty() && *kind != found.kind)) continue;

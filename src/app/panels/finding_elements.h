@@ -17,12 +17,13 @@ std::vector<std::string> strokes_of(const Finding& finding);
 /// Numbers of the holes that a finding is about.
 std::vector<Index> holes_of(const Finding& finding);
 
-struct FoundElements {
+/// Elements of a mesh, to be selected in the mode for them.
+struct PickedElements {
   ComponentKind kind = ComponentKind::Vertex;
   Elements elements;
 };
 
 /// The mesh's elements that a finding is about, of the kind that it names first.
-FoundElements elements_of(const Finding& finding, const MeshTopology& topology);
+PickedElements elements_of(const Finding& finding, const MeshTopology& topology);
 
 }  // namespace croquis::app

@@ -110,17 +110,11 @@ QValidator::State NumberBox::validate(QString& text, int& position) const {
   text.replace(',', '.');
   if (text == textFromValue(value())) return QValidator::Acceptable;
   // A part of a note is left where people delete some of it; the number before it counts.
-  if (!note_.instead.isEmpty() || !note_.unit.isEmpty() || note_.length > 0) {
-    bool read = false;
-    const double typed = text.section(' ', 0, 0).toDouble(&read);
-    return read && typed >= minimum() && typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
-  }
-  if (text.contains('e', Qt::CaseInsensitive)) {
-    bool read = false;
-    const double value = text.toDouble(&read);
-    return read && value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
-  }
-  return QDoubleSpinBox::validate(text, position);
+  const bool noted = !note_.instead.isEmpty() || !note_.unit.isEmpty() || note_.length > 0;
+  if (!noted && !text.contains('e', Qt::CaseInsensitive)) return QDoubleSpinBox::validate(text, position);
+  bool read = false;
+  const double typed = (noted ? text.section(' ', 0, 0) : text).toDouble(&read);
+  return read && typed >= minimum() && typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 /// From 0 no share of the value is a step.

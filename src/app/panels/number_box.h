@@ -14,6 +14,11 @@ constexpr int number_box_width = 62;  ///< logical pixels, the least; not that o
 /// @param figures that count, at least 1
 QString number_words(double value, int figures = 4);
 
+/// How many there are: one in words of its own ("1 edge"), or many ("%1 edges").
+inline QString counted_words(std::size_t count, const QString& one, const QString& many) {
+  return count == 1 ? one : many.arg(count);
+}
+
 /// The numbers that people may type.
 struct NumberRange {
   double low = 0;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/panel.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,7 +20,9 @@ namespace croquis::app {
 namespace {
 
 /// Long words are cut off where the panel is narrow, short ones never are.
-void fit_to_words(QComboBox& box) {
+void finish(QComboBox& box, const QString& name, const QString& tip) {
+  box.setObjectName(name);
+  box.setToolTip(tip);
   constexpr int most_letters = 9;
   int letters = 0;
   for (int i = 0; i < box.count(); ++i) letters = std::max(letters, static_cast<int>(box.itemText(i).size()));
@@ -51,10 +56,8 @@ QDoubleSpinBox* Panel::number(const QString& name, const NumberRange& range, std
 QComboBox* Panel::choice(const QString& name, const QStringList& words, std::function<std::optional<int>()> read,
                          std::function<void(int)> take, const QString& tip) {
   auto* box = new QComboBox(this);
-  box->setObjectName(name);
   box->addItems(words);
-  fit_to_words(*box);
-  box->setToolTip(tip);
+  finish(*box, name, tip);
   connect(box, &QComboBox::activated, this, std::move(take));
   also([box, read = std::move(read)] {
     const std::optional<int> now = read();
@@ -68,10 +71,8 @@ QComboBox* Panel::choice_of_values(const QString& name, const std::vector<Choice
                                    std::function<std::string()> read, std::function<void(const std::string&)> take,
                                    const QString& tip) {
   auto* box = new QComboBox(this);
-  box->setObjectName(name);
   for (const Choice& choice : choices) box->addItem(choice.words, choice.value);
-  fit_to_words(*box);
-  box->setToolTip(tip);
+  finish(*box, name, tip);
   connect(box, &QComboBox::activated, this,
           [box, take = std::move(take)] { take(box->currentData().toString().toStdString()); });
   also([box, read = std::move(read)] { box->setCurrentIndex(box->findData(QString::fromStdString(read()))); });
@@ -88,6 +89,30 @@ QCheckBox* Panel::flag(const QString& name, const QString& words, std::function<
   return box;
 }
 
+QSlider* Panel::slider(const QString& name, int low, int high, std::function<int()> read,
+                       std::function<void(int value, bool dragging)> take, const QString& tip) {
+  auto* slider = new QSlider(Qt::Horizontal, this);
+  slider->setObjectName(name);
+  slider->setRange(low, high);
+  slider->setToolTip(tip);
+  connect(slider, &QSlider::valueChanged, this, [this, slider, take](int value) {
+    if (!following_) take(value, slider->isSliderDown());
+  });
+  connect(slider, &QSlider::sliderReleased, this, [slider, take] { take(slider->value(), false); });
+  also([slider, read = std::move(read)] {
+    if (!slider->isSliderDown()) slider->setValue(read());
+  });
+  return slider;
+}
+
+QPushButton* Panel::button(const QString& name, const QString& words, const QString& tip, std::function<void()> work) {
+  auto* button = new QPushButton(words, this);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  connect(button, &QPushButton::clicked, this, std::move(work));
+  return button;
+}
+
 QLabel* Panel::text(const QString& name, std::function<QString()> read) {
   QLabel* shown = label({});
   shown->setObjectName(name);
@@ -101,15 +126,17 @@ QLabel* Panel::text(const QString& name, std::function<QString()> read) {
 
 QLabel* Panel::label(const QString& words) { return new QLabel(words, this); }
 
-void Panel::row(std::initializer_list<Cell> cells) {
+QHBoxLayout* Panel::row(std::initializer_list<Cell> cells) {
   auto* row = new QHBoxLayout;
   QString title;
   for (const Cell& cell : cells) {
     row->addWidget(cell.widget, cell.stretch);
     if (const auto* label = qobject_cast<const QLabel*>(cell.widget)) title = label->text();
-    if (cell.widget->accessibleName().isEmpty()) cell.widget->setAccessibleName(title);
+    const bool has_words = qobject_cast<const QAbstractButton*>(cell.widget) != nullptr;
+    if (!has_words && cell.widget->accessibleName().isEmpty()) cell.widget->setAccessibleName(title);
   }
   column_->addLayout(row);
+  return row;
 }
 
 void Panel::buttons(std::initializer_list<const char*> names, int columns, Qt::ToolButtonStyle style,

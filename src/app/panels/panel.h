@@ -15,8 +15,11 @@ class QAction;
 class QBoxLayout;
 class QCheckBox;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 class QScrollArea;
+class QSlider;
 
 namespace croquis::app {
 
@@ -48,6 +51,10 @@ class Panel : public QWidget {
                               const QString& tip = {});
   QCheckBox* flag(const QString& name, const QString& words, std::function<bool()> read, std::function<void(bool)> take,
                   const QString& tip = {});
+  /// @param take a value, and whether the slider is still held down: then it leads
+  QSlider* slider(const QString& name, int low, int high, std::function<int()> read,
+                  std::function<void(int value, bool dragging)> take, const QString& tip = {});
+  QPushButton* button(const QString& name, const QString& words, const QString& tip, std::function<void()> work);
   QLabel* text(const QString& name, std::function<QString()> read);  ///< hidden while it is empty
   QLabel* label(const QString& words);
 
@@ -61,7 +68,7 @@ class Panel : public QWidget {
     int stretch;
   };
   QBoxLayout* column() const { return column_; }
-  void row(std::initializer_list<Cell> cells);
+  QHBoxLayout* row(std::initializer_list<Cell> cells);
   /// Buttons of the window's actions in a grid, named "button-" and the action.
   void buttons(std::initializer_list<const char*> names, int columns, Qt::ToolButtonStyle style,
                const std::function<QAction*(const QString&)>& action);

@@ -3,11 +3,11 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QFile>
 #include <algorithm>
 #include <cstdio>
 #include <utility>
 
+#include "app/files/file_reader.h"
 #include "app/replay/replays.h"
 #include "app/views/viewport.h"
 #include "app/window/main_window.h"
@@ -79,7 +79,7 @@ int print_findings(const Findings& findings) {
 
 int play_file(MainWindow& window, const QString& file, bool stay) {
   try {
-    const std::string name = QFile::encodeName(file).toStdString();
+    const std::string name = local_name(file);
     play(window, recorded::parse(read_file(name), name, recorded::all_steps()));
   } catch (const Error& error) {
     return print_findings(error.findings());

@@ -40,6 +40,12 @@ struct Replays {
       }
     });
   }
+
+  /// The same of several structs.
+  template <recorded::StepValue... T, class Does>
+  void on_each(const Does& does) {
+    (on<T>(does), ...);
+  }
 };
 
 class MainWindow;

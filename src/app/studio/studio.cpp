@@ -38,6 +38,14 @@ Options options_for(const OperationDescription& operation) {
   return options;
 }
 
+/// What the active object begins with, where that is of such a type; else 0.
+template <class Source>
+NodeId beginning(const Studio& studio) {
+  const WorkObject* object = studio.active();
+  const NodeId first = object == nullptr ? 0 : object->chain.front();
+  return source_of<Source>(studio.session().document().find(first)) ? first : 0;
+}
+
 /// How objects are held is kept for those that are still drawn.
 ParameterValues without_lost_pairs(ParameterValues parameters, const Drawing& drawing) {
   const auto text = parameters.find("attach");
@@ -145,17 +153,9 @@ const Drawing& Studio::drawing() const {
   return drawing ? *drawing : none;
 }
 
-NodeId Studio::sheet_node() const {
-  const WorkObject* object = active();
-  const NodeId first = object == nullptr ? 0 : object->chain.front();
-  return source_of<PerspectiveDrawing>(session().document().find(first)) ? first : 0;
-}
+NodeId Studio::sheet_node() const { return beginning<PerspectiveDrawing>(*this); }
 
-NodeId Studio::network_node() const {
-  const WorkObject* object = active();
-  const NodeId first = object == nullptr ? 0 : object->chain.front();
-  return source_of<AttributeNetwork>(session().document().find(first)) ? first : 0;
-}
+NodeId Studio::network_node() const { return beginning<AttributeNetwork>(*this); }
 
 NodeId Studio::drawing_node() const {
   const auto is_drawing = [&](NodeId id) { return source_of<Drawing>(session().document().find(id)) != nullptr; };

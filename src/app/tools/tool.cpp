@@ -16,6 +16,11 @@ namespace {
 
 constexpr int watch_ms = 100;
 
+void watch(QTimer& timer, bool down) {
+  if (down && !timer.isActive()) timer.start(watch_ms);
+  if (!down) timer.stop();
+}
+
 }  // namespace
 
 Views& ToolHost::views() { return viewport().views(); }
@@ -69,36 +74,31 @@ QString offer(const ToolHost& host) {
   return {};
 }
 
-WatchedPen::WatchedPen(Feed feed) : feed_(std::move(feed)) {
-  QObject::connect(&watch_, &QTimer::timeout, &watch_, [this] {
-    take(input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9));
+Tool::Tool(ToolHost& host, const QString& about) : help_topic(about), host_(host) {
+  connect(&watch_, &QTimer::timeout, this, [this] {
+    const auto steps = input_.settle(last_time_ + static_cast<double>(since_event_.nsecsElapsed()) * 1e-9);
+    if (!steps.empty()) feed(steps);
+    watch(watch_, down());
   });
 }
 
-void WatchedPen::handle(const PointerEvent& event) {
-  last_time_ = event.time;
-  since_event_.start();
-  take(input_.handle(event));
-}
-
-void WatchedPen::take(const std::vector<PenStep>& steps) {
-  if (!steps.empty()) feed_(steps);
-  if (down() && !watch_.isActive()) watch_.start(watch_ms);
-  if (!down()) watch_.stop();
-}
-
-Tool::Tool(ToolHost& host, const QString& about)
-    : help_topic(about), pen_([this](const std::vector<PenStep>& steps) { feed(steps); }), host_(host) {}
-
 void Tool::take(const PointerEvent& event) {
   const bool leaves = event.action == PointerEvent::Action::Leave;
-  if (!leaves || !drags_leave_views_) pen_.handle(event);
-  if (!pen_.down() || leaves) hover(event);
+  if (!leaves || !drags_leave_views_) {
+    last_time_ = event.time;
+    since_event_.start();
+    const auto steps = input_.handle(event);
+    if (!steps.empty()) feed(steps);
+    watch(watch_, down());
+  }
+  if (!down() || leaves) hover(event);
 }
 
 bool Tool::abandon() {
-  if (!pen_.down()) return false;
-  pen_.cancel();
+  if (!down()) return false;
+  const auto steps = input_.cancel();
+  if (!steps.empty()) feed(steps);
+  watch(watch_, down());
   return true;
 }
 

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/panels/finding_elements.h"
 #include "app/panels/object_names.h"
 #include "app/replay/replays.h"
 #include "app/studio/studio.h"
@@ -156,12 +157,6 @@ struct ToolState {
   std::optional<Ink> ink = {};
 };
 
-/// Elements of the active object's mesh, to be selected in the mode for them.
-struct PickedElements {
-  ComponentKind kind = ComponentKind::Vertex;
-  std::vector<Index> elements;
-};
-
 /// Parts of a node, as the list of objects names them.
 struct ChosenParts {
   NodeId node = 0;
@@ -179,29 +174,6 @@ using Target = std::variant<const Node*, NodeFinding, PickedElements, ChosenPart
 struct ToolKeys {
   std::map<int, std::function<void()>> pressed = {};
   int marking_menu = 0;  ///< opens the marking menu while it is held, over a view that has one; 0: none
-};
-
-/// Pen and mouse of a tool. While a stroke is under way it watches: a pen may vanish without an event.
-class WatchedPen {
- public:
-  using Feed = std::function<void(const std::vector<PenStep>& steps)>;
-
-  /// @param feed takes the steps of an event, as long as there are any
-  explicit WatchedPen(Feed feed);
-
-  void handle(const PointerEvent& event);
-  void cancel() { take(input_.cancel()); }
-  bool down() const { return input_.down(); }
-  PenInput& input() { return input_; }
-
- private:
-  void take(const std::vector<PenStep>& steps);
-
-  Feed feed_;
-  PenInput input_;
-  QTimer watch_;
-  double last_time_ = 0;
-  QElapsedTimer since_event_;
 };
 
 /// All views, as Tool::changed names them, and none of them: the ink over them alone.
@@ -241,7 +213,7 @@ class Tool : public QObject {
 
   // ---- The pointer
   virtual void take(const PointerEvent& event);  ///< its place in pixels of its view
-  bool down() const { return pen_.down(); }      ///< a gesture is under way
+  bool down() const { return input_.down(); }    ///< a gesture is under way
   virtual bool abandon();                        ///< gives it up. @return false when there was none
 
   virtual bool command(EditCommand) { return false; }  ///< @return false: it isn't this tool's
@@ -276,11 +248,14 @@ class Tool : public QObject {
   Studio& studio() const { return host_.studio(); }
 
   QString mode_ = first_mode;
-  WatchedPen pen_;
+  PenInput input_;
   bool drags_leave_views_ = false;  ///< a gesture goes on where the pointer leaves the views
 
  private:
   ToolHost& host_;
+  QTimer watch_;  ///< of a stroke under way: a pen may vanish without an event
+  double last_time_ = 0;
+  QElapsedTimer since_event_;
 };
 
 /// Whether a step is a source of that type, or an operation that works on it.

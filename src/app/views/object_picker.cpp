@@ -7,13 +7,13 @@
 
 namespace croquis::app {
 
-MeshPicker* ObjectPicker::known_picker(const WorkObject& object) const {
+MeshPicker* MeshPickers::known(const WorkObject& object) const {
   const auto kept = kept_.find(object.node);
   return kept != kept_.end() && kept->second.mesh == object.shown() ? kept->second.picker.get() : nullptr;
 }
 
-MeshPicker& ObjectPicker::picker_of(const WorkObject& object) {
-  if (MeshPicker* known = known_picker(object)) return *known;
+MeshPicker& MeshPickers::of(const WorkObject& object) {
+  if (MeshPicker* picker = known(object)) return *picker;
   Kept& kept = kept_[object.node];
   kept = {object.shown(), std::make_unique<MeshPicker>(object.shown())};
   return *kept.picker;
@@ -26,7 +26,7 @@ std::optional<Vec3> ObjectPicker::place_at(const std::vector<WorkObject>& object
   for (const WorkObject& object : objects) {
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const Affine3 to_model = object.placement.map();
-    const auto vertex = picker_of(object).at(seen_from(frame, to_model), pixel, ComponentKind::Vertex);
+    const auto vertex = pickers_.of(object).at(seen_from(frame, to_model), pixel, ComponentKind::Vertex);
     if (!vertex || vertex->distance >= least) continue;
     least = vertex->distance;
     nearest = to_model(vertex->place);
@@ -44,7 +44,7 @@ ObjectPicker::Hit ObjectPicker::at(const std::vector<WorkObject>& objects, const
     if (!object.visible || !object.shown() || object.shown()->face_count() == 0) continue;
     const Affine3 to_model = object.placement.map();
     const Ray own_ray = seen_from(frame, to_model).ray(pixel);
-    MeshPicker* picker = known_picker(object);
+    MeshPicker* picker = pickers_.known(object);
     const auto hit = picker != nullptr ? picker->face_under(own_ray) : face_under(*object.shown(), own_ray);
     const Vec3 place = hit ? to_model(hit->place) : Vec3();
     if (!hit || (place - ray.origin).norm() >= distance) continue;

@@ -11,6 +11,20 @@
 
 namespace croquis::app {
 
+/// Pickers of the objects' meshes, kept until a mesh changes. One thread.
+class MeshPickers {
+ public:
+  MeshPicker* known(const WorkObject& object) const;  ///< null when there is none for the object as it is
+  MeshPicker& of(const WorkObject& object);
+
+ private:
+  struct Kept {
+    std::shared_ptr<const PolyMesh> mesh;
+    std::unique_ptr<MeshPicker> picker;
+  };
+  std::map<NodeId, Kept> kept_;
+};
+
 /// Finds whole objects in a view. Pickers are made when the vertices of a mesh are first asked for.
 class ObjectPicker {
  public:
@@ -30,15 +44,7 @@ class ObjectPicker {
   static std::vector<NodeId> in_box(const std::vector<WorkObject>& objects, const ViewFrame& frame, const PickBox& box);
 
  private:
-  /// Null when there is none for the object as it is.
-  MeshPicker* known_picker(const WorkObject& object) const;
-  MeshPicker& picker_of(const WorkObject& object);
-
-  struct Kept {
-    std::shared_ptr<const PolyMesh> mesh;
-    std::unique_ptr<MeshPicker> picker;
-  };
-  std::map<NodeId, Kept> kept_;
+  MeshPickers pickers_;
 };
 
 }  // namespace croquis::app

@@ -193,13 +193,13 @@ render::Scene ObjectScenes::scene(const Wanted& wanted) const {
   if (wanted.nothing || wanted.instead) return scene;
   const Selection& selection = studio_.session().selection();
   const auto is_selected = [&](const WorkObject& object) {
-    return std::any_of(selection.begin(), selection.end(), [&](const SelectedItem& item) {
+    return std::ranges::any_of(selection, [&](const SelectedItem& item) {
       return item.part.empty() && (item.node == object.node || item.node == object.cage);
     });
   };
   // A single object needs no colour of its own; its outline shows that it is selected.
   const auto seen = [](const WorkObject& object) { return object.visible && object.shown() != nullptr; };
-  const bool several = std::count_if(studio_.objects().begin(), studio_.objects().end(), seen) > 1;
+  const bool several = std::ranges::count_if(studio_.objects(), seen) > 1;
   for (const WorkObject& object : studio_.objects()) {
     const auto items = items_.find(object.node);
     if (!object.visible || items == items_.end()) continue;
@@ -259,7 +259,7 @@ render::MeshItemPtr ObjectScenes::cage_item(NodeId cage) const {
 }
 
 bool ObjectScenes::busy() const {
-  return std::any_of(items_.begin(), items_.end(), [](const auto& entry) {
+  return std::ranges::any_of(items_, [](const auto& entry) {
     const Items& items = entry.second;
     return items.surface->busy() || items.cage->busy() || items.filling->busy();
   });

@@ -25,19 +25,14 @@ OffscreenPictures::~OffscreenPictures() {
   thread_.wait();
 }
 
-void OffscreenPictures::require_renderer() {
-  if (renderer_) return;
-  context_ = std::make_unique<render::OffscreenContext>();
-  renderer_ = std::make_unique<render::Renderer>();
-}
-
 QImage OffscreenPictures::draw(const std::vector<render::Shown<render::MeshItem>>& items, const render::Camera& camera,
                                const render::RenderOptions& options, const QSize& size) {
   QImage image;
   std::exception_ptr failure;
   const auto work = [&] {
     try {
-      require_renderer();
+      if (!context_) context_ = std::make_unique<render::OffscreenContext>();
+      if (!renderer_) renderer_ = std::make_unique<render::Renderer>();
       render::Scene scene;
       scene.meshes = items;
       const render::RenderedPicture picture =

@@ -36,8 +36,6 @@ class OffscreenPictures {
                     const QSize& size);
 
  private:
-  void require_renderer();
-
   QThread thread_;
   QObject in_thread_;                                  ///< lives in that thread, as the following do
   std::unique_ptr<render::OffscreenContext> context_;  ///< current there all the time

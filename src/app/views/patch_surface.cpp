@@ -18,11 +18,6 @@ constexpr double crease_cosine = 0.5;  // as render::MeshItemOptions has it
 const render::Color preview_color(96, 160, 235, 255);
 const render::Color labelled_color(198, 219, 214, 255);
 
-const std::vector<std::int32_t>* patch_ids(const PolyMesh& mesh) {
-  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
-  return channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
-}
-
 /// Its length is twice the face's area.
 Vec3 face_normal(const PolyMesh& mesh, std::size_t face) {
   const auto corners = mesh.face(face);
@@ -113,13 +108,6 @@ class Part {
   std::vector<Index> from_;
 };
 
-bool begins_with(const PolyMesh& filled, const PolyMesh& scan, std::size_t patch_faces) {
-  return filled.face_count() == scan.face_count() + patch_faces && filled.vertex_count() >= scan.vertex_count() &&
-         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
-         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin()) &&
-         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
-}
-
 /// None for faces that aren't of patches: they are drawn as without this channel.
 AttributeChannel face_colors_by_id(const std::vector<std::int32_t>& ids) {
   AttributeChannel channel{"color", Domain::Face, 3, std::vector<float>(), {}};
@@ -147,6 +135,18 @@ void paint(PolyMesh& mesh, PatchLook look) {
 
 }  // namespace
 
+const std::vector<std::int32_t>* patch_ids(const PolyMesh& mesh) {
+  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
+  return channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
+}
+
+bool begins_with(const PolyMesh& filled, const PolyMesh& scan) {
+  return filled.face_count() >= scan.face_count() && filled.vertex_count() >= scan.vertex_count() &&
+         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
+         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin()) &&
+         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
+}
+
 PatchSurface patches_of(const PolyMesh& filled, const PolyMesh* scan, const std::set<Index>* wanted) {
   PatchSurface patches;
   const std::vector<std::int32_t>* ids = patch_ids(filled);
@@ -162,7 +162,8 @@ PatchSurface patches_of(const PolyMesh& filled, const PolyMesh* scan, const std:
     patches.patch.push_back(id);
   }
   patches.mesh = std::make_shared<const PolyMesh>(part.take(*ids));
-  patches.completes = scan != nullptr && wanted == nullptr && begins_with(filled, *scan, patch_faces);
+  patches.completes = scan != nullptr && wanted == nullptr && filled.face_count() == scan->face_count() + patch_faces &&
+                      begins_with(filled, *scan);
   return patches;
 }
 
@@ -178,8 +179,8 @@ std::shared_ptr<const PolyMesh> colored_whole(const std::shared_ptr<const PolyMe
   const std::vector<std::int32_t>* ids = patch_ids(*filled);
   if (ids == nullptr || look == PatchLook::Plain) return filled;
   if (look == PatchLook::Confidence) return std::make_shared<const PolyMesh>(render::with_value_colors(*filled));
-  const bool has_own = std::any_of(filled->channels.begin(), filled->channels.end(),
-                                   [](const AttributeChannel& channel) { return channel.name == "color"; });
+  const bool has_own =
+      std::ranges::any_of(filled->channels, [](const AttributeChannel& channel) { return channel.name == "color"; });
   if (has_own) return filled;
   auto mesh = std::make_shared<PolyMesh>(*filled);
   mesh->channels.push_back(face_colors_by_id(*ids));

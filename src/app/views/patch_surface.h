@@ -25,6 +25,12 @@ struct PatchSurface {
   bool completes = false;                ///< with the faces of the mesh that was filled this is the whole surface
 };
 
+/// The numbers of the faces' patches, -1 for those of none; null for a mesh without patches.
+const std::vector<std::int32_t>* patch_ids(const PolyMesh& mesh);
+
+/// The scan's vertices and faces come first in the mesh that was made by filling it, exactly as they were.
+bool begins_with(const PolyMesh& filled, const PolyMesh& scan);
+
 /// The patches of a filled mesh. @param wanted numbers of patches; null for all of them
 /// @param scan that was filled, for `completes`; may be null
 /// O(faces of the filled mesh), with little for those that aren't patches.

@@ -29,6 +29,8 @@ int distance_squared(const QPoint& a, const QPoint& b) {
 constexpr double legend_margin = 10;
 
 constexpr const char* name_style = "color: #4a515c; background: transparent; font-size: 12px";
+constexpr const char* value_style =
+    "background: #2b2d31; color: #f2f3f5; border: 1px solid %1; border-radius: 5px; padding: 1px 6px; font-size: 12px";
 constexpr int lines_at_most = 8;
 
 QString faces(std::size_t count) {
@@ -141,6 +143,7 @@ QToolButton* ChipSet::button(const QString& name, const char* style, std::functi
 void ChipSet::begin(ChipPlaces& places) {
   places_ = &places;
   put_.clear();
+  used_values_ = 0;
 }
 
 void ChipSet::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
@@ -151,6 +154,17 @@ void ChipSet::put(QWidget& chip, const QPointF& at, const QRectF& bounds) {
 void ChipSet::put_in_middle(QWidget& chip, double top, const QRectF& bounds) {
   chip.adjustSize();
   put(chip, QPointF(bounds.center().x() - chip.width() / 2.0, top), bounds);
+}
+
+void ChipSet::put_value(const QString& name, const QString& text, const QString& border, const QPointF& at,
+                        const QRectF& bounds) {
+  if (used_values_ == values_.size()) values_.push_back(label(name, ""));
+  QLabel& value = *values_[used_values_++];
+  const QString style = QString(value_style).arg(border);
+  if (value.styleSheet() != style) value.setStyleSheet(style);
+  value.setText(text);
+  value.adjustSize();
+  put(value, at, bounds);
 }
 
 void ChipSet::end() {
@@ -168,9 +182,8 @@ QLabel* make_chip_label(QWidget& views, const char* style) {
 }
 
 ViewChips::ViewChips(const Views& views)
-    : message_(make_chip_label(views.widget, hint_style)), counts_(make_chip_label(views.widget, name_style)) {
-  counts_->setObjectName("counts");
-  for (QLabel*& name : names_) name = make_chip_label(views.widget, name_style);
+    : chips_(views.widget), message_(chips_.label({}, hint_style)), counts_(chips_.label("counts", name_style)) {
+  for (QLabel*& name : names_) name = chips_.label({}, name_style);
 }
 
 void ViewChips::say(const QString& sentence) {
@@ -180,25 +193,21 @@ void ViewChips::say(const QString& sentence) {
 
 void ViewChips::place(const Views& views) {
   ChipPlaces places(views.layout, views.widget);
+  chips_.begin(places);
   for (std::size_t view = 0; view < view_count; ++view) {
     const ViewPane& pane = views.layout.pane(static_cast<int>(view));
     names_[view]->setText(title_of(views, static_cast<int>(view)));
     names_[view]->adjustSize();
-    if (pane.visible())
-      places.put(*names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect);
-    else
-      names_[view]->hide();
+    if (pane.visible()) chips_.put(*names_[view], pane.rect.topLeft() + QPointF(10, 8), pane.rect);
   }
   counts_->setText(counts_of(views.studio));
   counts_->setAlignment(Qt::AlignRight);
   counts_->adjustSize();
-  const QRectF scene = places.scene_pane().rect;
-  if (counts_->text().isEmpty() || !places.scene_pane().visible())
-    counts_->hide();
-  else
-    places.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8));
-  const QPointF middle = QRectF(views.widget.rect()).center();
-  if (!message_->text().isEmpty()) places.put(*message_, middle - QPointF(message_->width() / 2.0, 0));
+  const QRectF scene = places.scene_pane().rect, all = views.widget.rect();
+  if (!counts_->text().isEmpty() && places.scene_pane().visible())
+    chips_.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8), all);
+  if (!message_->text().isEmpty()) chips_.put_in_middle(*message_, all.center().y(), all);
+  chips_.end();
   for (Tool* tool : views.tools) tool->place_chips(places);
 }
 

@@ -61,6 +61,14 @@ class ChipPlaces {
 /// Of what can be done next, in the middle of a view.
 inline constexpr const char* hint_style = "color: #5c6470; background: transparent; font-size: 15px";
 
+/// Of what is finished, and of what is lacking.
+inline constexpr const char* sound_style =
+    "QToolButton { background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px;"
+    " padding: 2px 9px }";
+inline constexpr const char* lacking_style =
+    "QToolButton, QLabel { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px;"
+    " padding: 2px 9px } QToolButton:hover { background: #ffe2a8 }";
+
 /// A label over the views that lets the pointer through. @param style a style sheet
 QLabel* make_chip_label(QWidget& views, const char* style);
 
@@ -77,11 +85,16 @@ class ChipSet {
   void put(QWidget& chip, const QPointF& at, const QRectF& bounds);
   /// In the middle between left and right. @param top of the chip, in the views' pixels
   void put_in_middle(QWidget& chip, double top, const QRectF& bounds);
+  /// A number beside what it is of, in as many labels as are wanted. @param border a colour
+  void put_value(const QString& name, const QString& text, const QString& border, const QPointF& at,
+                 const QRectF& bounds);
   void end();
 
  private:
   QWidget& views_;
   ChipPlaces* places_ = nullptr;
+  std::vector<QLabel*> values_;
+  std::size_t used_values_ = 0;
   std::vector<QWidget*> chips_;
   std::vector<QWidget*> put_;
 };
@@ -98,6 +111,7 @@ class ViewChips {
   void place(const Views& views);
 
  private:
+  ChipSet chips_;
   QLabel* message_;
   std::array<QLabel*, view_count> names_{};
   QLabel* counts_;

@@ -21,6 +21,20 @@ constexpr double affordable_ms = 90;               // a frame that takes longer 
 constexpr double fine_by_coarse = 4;               // a fine frame has twice as many pixels in each direction
 constexpr std::size_t upload_budget = 24'000'000;  // bytes a frame: more is a visible delay
 
+/// The ink of a stroke under way, or null before its first sample.
+/// @param pale for strokes that will lie behind others
+render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale) {
+  if (ink.empty()) return nullptr;
+  render::LinePath path;
+  path.points.reserve(ink.size());
+  for (const StrokeSample& sample : ink) {
+    const glm::dvec3 place(sample.position.x(), sample.position.y(), 0);
+    path.points.push_back({place, static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
+  }
+  const render::Color color = pale ? to_color(colors::behind) : to_color(colors::ink);
+  return render::make_line_item(path, {ink_width, color, {}});
+}
+
 /// Drawings in perspective and networks have z upwards: the cross says so while they are worked on.
 std::array<glm::dvec3, 3> upright_axes() {
   std::array<glm::dvec3, 3> axes;
@@ -207,18 +221,6 @@ void follow_busy(ViewPictures& pictures, bool busy) {
 }
 
 }  // namespace
-
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale) {
-  if (ink.empty()) return nullptr;
-  render::LinePath path;
-  path.points.reserve(ink.size());
-  for (const StrokeSample& sample : ink) {
-    const glm::dvec3 place(sample.position.x(), sample.position.y(), 0);
-    path.points.push_back({place, static_cast<float>(0.5 + 0.8 * sample.pressure), {}});
-  }
-  const render::Color color = pale ? to_color(colors::behind) : to_color(colors::ink);
-  return render::make_line_item(path, {ink_width, color, {}, render::LineDepth::OnTop});
-}
 
 void InkSheet::keep(const render::Scene& scene, const render::RenderOptions& options, const ViewPane& pane,
                     std::size_t inked) {

@@ -15,10 +15,6 @@
 
 namespace croquis::app {
 
-/// The ink of a stroke under way, or null before its first sample.
-/// @param pale for strokes that will lie behind others
-render::LineItemPtr ink_item(const std::vector<StrokeSample>& ink, bool pale);
-
 /// A view that is drawn on, as it was last drawn whole. While a stroke is under way only the rectangle of its newest
 /// piece is drawn again: ink follows the pen without delay, however long a whole view takes.
 class InkSheet {

@@ -23,7 +23,7 @@ struct HoleChoice {
 };
 /// Patches are to be made in another way; what isn't there stays as it was.
 struct HoleWay {
-  std::vector<Index> holes;                   ///< none: of all holes for which nothing else was said
+  std::vector<Index> holes = {};              ///< none: of all holes for which nothing else was said
   std::optional<std::string> fairness = {};   ///< "rbf", "smooth" or "flat"
   std::optional<std::string> kernel = {};     ///< as the operation names them
   std::optional<double> bulge = {};           ///< -1..1

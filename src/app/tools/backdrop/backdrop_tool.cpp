@@ -38,6 +38,8 @@ render::PictureItemPtr made_of(const PictureFile& picture) {
 
 constexpr double percent = 0.01;
 
+int to_percent(double share) { return static_cast<int>(std::lround(share / percent)); }
+
 constexpr float corner_size = 9;  // logical pixels
 
 /// The picture's border and its corners, which can be dragged.
@@ -47,7 +49,7 @@ void add_frame(const Backdrop& backdrop, render::Scene& scene) {
   std::vector<render::Mark> marks;
   for (const Vec2& corner : corners)
     marks.push_back({on_plane(corner), render::MarkShape::Square, corner_size, to_color(colors::accent)});
-  const render::LineStyle style{1.5, to_color(colors::accent), {6, 4, 0, 0}, render::LineDepth::OnTop};
+  const render::LineStyle style{1.5, to_color(colors::accent), {6, 4, 0, 0}};
   add_items(scene, {lines_of({path_of(corners, on_plane, true)}, style)}, {marks_of(marks)});
 }
 
@@ -148,22 +150,17 @@ Panel* BackdropTool::make_panel() {
 
 /// While the slider is held down it is one change.
 void BackdropTool::add_opacity(Panel& panel) {
-  auto* opacity = new QSlider(Qt::Horizontal, &panel);
-  opacity->setObjectName("backdrop-opacity");
-  opacity->setRange(0, 100);
-  opacity->setToolTip(tr("How strongly the picture is seen behind the drawing"));
-  const auto leave = [this] { do_and_record(editor_.finish()); };
-  connect(opacity, &QSlider::valueChanged, this, [this, opacity, leave, &panel](int value) {
-    const auto now = editor_.backdrop();
-    if (panel.following() || !now) return;
-    Backdrop edited = *now;
-    edited.opacity = value * percent;
-    editor_.change("Opacity of the picture", edited);
-    if (!opacity->isSliderDown()) leave();
-  });
-  connect(opacity, &QSlider::sliderReleased, this, leave);
-  panel.also(
-      [this, opacity] { opacity->setValue(static_cast<int>(std::lround(editor_.backdrop()->opacity / percent))); });
+  QSlider* opacity = panel.slider(
+      "backdrop-opacity", 0, 100, [this] { return to_percent(editor_.backdrop()->opacity); },
+      [this](int value, bool dragging) {
+        const auto now = editor_.backdrop();
+        if (!now) return;
+        Backdrop edited = *now;
+        edited.opacity = value * percent;
+        if (value != to_percent(now->opacity)) editor_.change("Opacity of the picture", edited);
+        if (!dragging) do_and_record(editor_.finish());
+      },
+      tr("How strongly the picture is seen behind the drawing"));
   panel.row({panel.label(tr("Opacity")), opacity});
 }
 
@@ -180,10 +177,8 @@ void BackdropTool::do_and_record(Verdict verdict) {
 }
 
 void BackdropTool::ask_picture() {
-  QStringList endings;
-  for (const QString& ending : picture_endings()) endings << "*" + ending;
   const QString path = QFileDialog::getOpenFileName(&host().viewport(), tr("Open a picture"), QString(),
-                                                    tr("Pictures (%1)").arg(endings.join(' ')));
+                                                    tr("Pictures (%1)").arg(picture_patterns()));
   if (!path.isEmpty()) host().open_file(path);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/panels/number_box.h"
 #include "app/tools/action_rows.h"
 #include "app/tools/holes/hole_plan.h"
 #include "app/tools/holes/scan_holes.h"
@@ -22,7 +23,7 @@ std::string words_for(const std::vector<Index>& holes) {
   return (holes.size() == 1 ? "hole " : "holes ") + numbers;
 }
 
-std::string label_up_to(double diameter) { return "Fill holes up to " + measure(diameter).toStdString(); }
+std::string label_up_to(double diameter) { return "Fill holes up to " + number_words(diameter).toStdString(); }
 
 std::string words_for(const recorded::HoleWay& way) {
   const std::string what = way.fairness ? "Method " + *way.fairness
@@ -209,6 +210,60 @@ void choose_for_selected(ScanHoles& holes, const char* action) {
   apply(holes, recorded::HoleChoice{holes.selected(), action});
 }
 
+void fill_selected(ScanHoles& holes) { choose_for_selected(holes, "fill"); }
+
+/// One is open, or belongs to a bridge that couldn't be made.
+bool can_fill_selected(const ScanHoles& holes) {
+  if (!open_of_selected(holes).empty()) return true;
+  const std::vector<Index> failed = holes_in_state(holes, holes.selected(), FillAction::Failed);
+  const Node* operation = holes.node();
+  if (failed.empty() || operation == nullptr) return false;
+  try {
+    const HolePlan plan(holes.studio(), *operation);
+    return std::ranges::any_of(failed, [&](Index hole) { return plan.is_bridged(hole); });
+  } catch (const Error&) {
+    return true;  // filling reports the error
+  }
+}
+
+/// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
+void fill_all(ScanHoles& holes, const std::string& select) {
+  const std::string what = select == "all-but-largest" ? "Fill all but the largest hole"
+                           : select == "inner"         ? "Fill all inner holes"
+                           : select == "none"          ? "Reopen all holes"
+                                                       : "Fill all holes";
+  fill_named(holes, what, parse_selection(select), 0);
+}
+
+/// It would change something, or that isn't known yet.
+bool can_fill_all(const ScanHoles& holes, const std::string& select) {
+  const bool is_known = holes.shown && !holes.shown->failed;
+  if (holes.rows.empty()) return !is_known;
+  const hole_filling::Selection selection = parse_selection(select);
+  const std::vector<Index> open = open_after(holes, selection, named_rows(holes.rows, selection));
+  return std::ranges::any_of(holes.rows, [&](const HoleRow& row) {
+    return std::ranges::binary_search(open, row.id) != (row.state == FillAction::Leave);
+  });
+}
+
+void bridge_selected(ScanHoles& holes) {
+  const std::vector<Index> chosen = holes.selected();
+  if (chosen.size() < 2)
+    return holes.host.say(QObject::tr("Select two rims to bridge: click one, then Shift+click the other"));
+  const std::string label = chosen.size() == 2
+                                ? "Bridge holes " + std::to_string(chosen[0]) + " and " + std::to_string(chosen[1])
+                                : "Bridge " + words_for(chosen);
+  change_plan(holes, label, [&](HolePlan& plan) { plan.bridge(chosen); });
+}
+
+/// Of the selected holes.
+void clear_handles(ScanHoles& holes) {
+  const std::vector<Index> chosen = holes.selected();
+  const std::vector<Index> filled = holes.filled();
+  change_plan(holes, "Clear handles of " + words_for(chosen),
+              [&](HolePlan& plan) { plan.change(chosen, filled, [](HoleRequest& own) { own.through.clear(); }); });
+}
+
 std::vector<ActionRow> hole_actions(ScanHoles& holes) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   const auto run = [&holes](auto work) { return [&holes, work] { work(holes); }; };
@@ -243,62 +298,12 @@ std::vector<ActionRow> hole_actions(ScanHoles& holes) {
 
 // ---- What becomes of holes
 
-void fill_selected(ScanHoles& holes) { choose_for_selected(holes, "fill"); }
-
 void reopen_selected(ScanHoles& holes) { choose_for_selected(holes, "leave"); }
-
-bool can_fill_selected(const ScanHoles& holes) {
-  if (!open_of_selected(holes).empty()) return true;
-  const std::vector<Index> failed = holes_in_state(holes, holes.selected(), FillAction::Failed);
-  const Node* operation = holes.node();
-  if (failed.empty() || operation == nullptr) return false;
-  try {
-    const HolePlan plan(holes.studio(), *operation);
-    return std::ranges::any_of(failed, [&](Index hole) { return plan.is_bridged(hole); });
-  } catch (const Error&) {
-    return true;  // filling reports the error
-  }
-}
-
-void fill_all(ScanHoles& holes, const std::string& select) {
-  const std::string what = select == "all-but-largest" ? "Fill all but the largest hole"
-                           : select == "inner"         ? "Fill all inner holes"
-                           : select == "none"          ? "Reopen all holes"
-                                                       : "Fill all holes";
-  fill_named(holes, what, parse_selection(select), 0);
-}
-
-bool can_fill_all(const ScanHoles& holes, const std::string& select) {
-  const bool is_known = holes.shown && !holes.shown->failed;
-  if (holes.rows.empty()) return !is_known;
-  const hole_filling::Selection selection = parse_selection(select);
-  const std::vector<Index> open = open_after(holes, selection, named_rows(holes.rows, selection));
-  return std::ranges::any_of(holes.rows, [&](const HoleRow& row) {
-    return std::ranges::binary_search(open, row.id) != (row.state == FillAction::Leave);
-  });
-}
 
 void fill_up_to(ScanHoles& holes, double diameter) {
   fill_named(holes, label_up_to(diameter), hole_filling::Selection::Inner, diameter);
   holes.follow_selection();
   emit holes.owner.committed(recorded::HoleChoice{{}, "fill", {}, diameter});
-}
-
-void bridge_selected(ScanHoles& holes) {
-  const std::vector<Index> chosen = holes.selected();
-  if (chosen.size() < 2)
-    return holes.host.say(QObject::tr("Select two rims to bridge: click one, then Shift+click the other"));
-  const std::string label = chosen.size() == 2
-                                ? "Bridge holes " + std::to_string(chosen[0]) + " and " + std::to_string(chosen[1])
-                                : "Bridge " + words_for(chosen);
-  change_plan(holes, label, [&](HolePlan& plan) { plan.bridge(chosen); });
-}
-
-void clear_handles(ScanHoles& holes) {
-  const std::vector<Index> chosen = holes.selected();
-  const std::vector<Index> filled = holes.filled();
-  change_plan(holes, "Clear handles of " + words_for(chosen),
-              [&](HolePlan& plan) { plan.change(chosen, filled, [](HoleRequest& own) { own.through.clear(); }); });
 }
 
 // ---- How patches are made
@@ -307,8 +312,9 @@ PatchMethod method_of_selected(const ScanHoles& holes) {
   return method_of(holes, holes.selected().empty() ? std::nullopt : std::optional(holes.selected().front()));
 }
 
-void set_method(ScanHoles& holes, const MethodChange& change, bool drags) {
-  change_method(holes, {holes.selected(), change.fairness, change.kernel, change.bulge, change.trim_rim, {}}, drags);
+void set_method(ScanHoles& holes, recorded::HoleWay change, bool drags) {
+  change.holes = holes.selected();
+  change_method(holes, change, drags);
 }
 
 std::string text_parameter(const ScanHoles& holes, const std::string& name) {

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/finding_elements.h"
 #include "app/replay/replays.h"
+#include "app/tools/action_rows.h"
 #include "app/tools/holes/hole_table.h"
 #include "app/views/own_space.h"
 #include "app/views/viewport.h"
@@ -75,6 +75,35 @@ Legend* make_confidence_legend(QWidget* views) {
                     HoleFillingTool::tr("Colours of patches by confidence"), std::move(rows));
 }
 
+/// By the sign of the volume that its faces see from the middle.
+bool is_inside_out(const PolyMesh& mesh) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& place : mesh.positions) middle += place / static_cast<double>(mesh.vertex_count());
+  double volume = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const auto corners = mesh.face(face);
+    const Vec3 first = mesh.positions[corners[0]] - middle;
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Vec3 second = mesh.positions[corners[k - 1]] - middle, third = mesh.positions[corners[k]] - middle;
+      volume += first.dot(second.cross(third));
+    }
+  }
+  return volume < 0;
+}
+
+/// Where what is selected looks to, out of the scan; nothing where that isn't one direction.
+std::optional<Vec3> facing_of_selected(const ScanHoles& holes) {
+  constexpr double one_direction = 0.7;  // length of the mean
+  const auto scan = holes.scan();
+  if (!scan || holes.selected().empty()) return std::nullopt;
+  Vec3 sum = Vec3::Zero();
+  for (const Index hole : holes.selected()) {
+    if (const HoleRow* found = holes.row(hole)) sum += found->normal;
+  }
+  if (sum.norm() < one_direction * static_cast<double>(holes.selected().size())) return std::nullopt;
+  return (is_inside_out(*scan) ? -1 : 1) * sum.normalized();
+}
+
 /// One row for all patches, and in it one for each.
 std::vector<ObjectRow> rows_of_patches(const std::vector<FaceSet>& sets) {
   const auto tr = [](const char* text) { return HoleFillingTool::tr(text); };
@@ -107,12 +136,11 @@ void HoleFillingTool::make_actions(ActionList& actions) {
   });
   tool->setToolTip(tr("Holes of a scan: list, preview, fill (O)"));
   actions_ = add_hole_actions(holes_, actions, actions.menu(MenuId::Holes));
-  QAction* tint =
-      actions.add(actions.menu(MenuId::View), "tint-patches", tr("Patches by confidence"), {QKeySequence("T")}, [this] {
-        holes_.tinted = host().action("tint-patches")->isChecked();
-        show_patch_look();
-      });
-  tint->setCheckable(true);
+  add_toggle(actions, actions.menu(MenuId::View), "tint-patches", tr("Patches by confidence"), {QKeySequence("T")},
+             [this](bool on) {
+               holes_.tinted = on;
+               show_patch_look();
+             });
   // What was filled is hidden once it is frozen.
   connect(actions.find("freeze"), &QAction::triggered, this, [this] {
     if (holes_.active && holes_.node() == nullptr) host().set_mode(select_mode);
@@ -299,9 +327,7 @@ void HoleFillingTool::make_replays(Replays& replays) {
     host().wait_until_settled();  // their numbers are known once they have been found
     replay(holes_, step);
   };
-  replays.on<recorded::HoleChoice>(play);
-  replays.on<recorded::HoleWay>(play);
-  replays.on<recorded::HolePoint>(play);
+  replays.on_each<recorded::HoleChoice, recorded::HoleWay, recorded::HolePoint>(play);
   replays.counts["holes"] = [this](const std::string& node) { return count_open_holes(object_named(studio(), node)); };
   replays.counts["patches"] = [this](const std::string& node) {
     return holes_of_patches(object_named(studio(), node)).size();

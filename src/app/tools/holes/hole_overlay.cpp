@@ -31,6 +31,17 @@ render::Mark handle_mark(const PatchHandle& handle, bool hovered) {
   return mark;
 }
 
+SeenThrough rims(std::vector<render::LinePath> paths, double width) {
+  if (paths.empty()) return {};
+  SeenThrough lines;
+  lines.clear = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnSurface});
+  for (render::LinePath& path : paths) {
+    for (render::LinePoint& point : path.points) point.color->a = covered_rim_alpha;
+  }
+  lines.faint = render::make_line_item(paths, {width, {}, {}});
+  return lines;
+}
+
 constexpr double pin_height = 18;
 constexpr double faint_strength = 0.35;  // of holes that the scan hides
 
@@ -40,17 +51,6 @@ QColor hole_color(const HoleRow& hole) {
   if (hole.state == FillAction::Fill) return {0, 140, 105};
   if (hole.state == FillAction::Failed) return colors::error;
   return hole.is_border() ? QColor(110, 100, 130) : QColor(20, 92, 200);
-}
-
-SeenThrough HoleOverlay::rims(std::vector<render::LinePath> paths, double width) {
-  if (paths.empty()) return {};
-  SeenThrough lines;
-  lines.clear = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnSurface});
-  for (render::LinePath& path : paths) {
-    for (render::LinePoint& point : path.points) point.color->a = covered_rim_alpha;
-  }
-  lines.faint = render::make_line_item(paths, {width, {}, {}, render::LineDepth::OnTop});
-  return lines;
 }
 
 void HoleOverlay::follow(const HoleTool& tool, const std::vector<HoleRow>& rows) {
@@ -90,7 +90,7 @@ void HoleOverlay::follow_hover(const HoleTool& tool) {
   pulled_ = marks_of({handle_mark({no_index, to, {}}, true)});
   if (!preview.pull) return;
   pull_ = lines_of({path_of(std::array{preview.pull->from, to}, to_glm)},
-                   {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop});
+                   {1.5, with_own_alpha(colors::accent), {4, 3, 0, 0}});
 }
 
 void HoleOverlay::add_to(render::Scene& scene) const {

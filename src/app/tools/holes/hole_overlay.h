@@ -31,8 +31,6 @@ class HoleOverlay {
   static render::Bounds bounds_of(const HoleTool& tool, const std::vector<Index>& holes);
 
  private:
-  static SeenThrough rims(std::vector<render::LinePath> paths, double width);
-
   SeenThrough all_;
   SeenThrough selected_;
   SeenThrough hovered_;

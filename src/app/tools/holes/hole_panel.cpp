@@ -2,7 +2,6 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -36,19 +35,39 @@ double number(const Studio& studio, const Node& node, const char* name, double o
 }
 
 QString seconds(double count) {
-  if (count < 1) return QCoreApplication::translate("Holes", "a second");
-  if (count < 90) return QCoreApplication::translate("Holes", "%1 s").arg(std::lround(count));
-  return QCoreApplication::translate("Holes", "%1 min").arg(std::lround(count / 60));
+  if (count < 1) return Panel::tr("a second");
+  if (count < 90) return Panel::tr("%1 s").arg(std::lround(count));
+  return Panel::tr("%1 min").arg(std::lround(count / 60));
 }
 
 QString bytes(std::size_t count) {
   const double megabytes = static_cast<double>(count) * 1e-6;
-  if (megabytes < 1000) return QCoreApplication::translate("Holes", "%1 MB").arg(std::lround(megabytes));
-  return QCoreApplication::translate("Holes", "%1 GB").arg(megabytes * 1e-3, 0, 'f', 1);
+  if (megabytes < 1000) return Panel::tr("%1 MB").arg(std::lround(megabytes));
+  return Panel::tr("%1 GB").arg(megabytes * 1e-3, 0, 'f', 1);
 }
 
 constexpr int bulge_steps = 100;  // of the slider on either side
 constexpr int most_trimmed = 3;
+
+/// "27 holes: 25 filled, 1 border left open, 1 failed".
+QString summary_of(const std::vector<HoleRow>& holes) {
+  const auto tr = [](const char* text) { return Panel::tr(text); };
+  if (holes.empty()) return tr("No holes");
+  const auto count = [&](FillAction state, bool border) {
+    return std::ranges::count_if(holes, [&](const HoleRow& hole) {
+      return hole.state == state && (state != FillAction::Leave || hole.is_border() == border);
+    });
+  };
+  QStringList parts;
+  const auto add = [&parts](std::ptrdiff_t number, const QString& one, const QString& many) {
+    if (number > 0) parts << (number == 1 ? one : many).arg(number);
+  };
+  add(count(FillAction::Fill, false), tr("%1 filled"), tr("%1 filled"));
+  add(count(FillAction::Leave, false), tr("%1 open"), tr("%1 open"));
+  add(count(FillAction::Leave, true), tr("%1 border left open"), tr("%1 borders left open"));
+  add(count(FillAction::Failed, false), tr("%1 failed"), tr("%1 failed"));
+  return (holes.size() == 1 ? tr("1 hole: ") : tr("%1 holes: ").arg(holes.size())) + parts.join(", ");
+}
 
 /// A button that does what the window's action does.
 QPushButton* action_button(QWidget* panel, const ScanHoles& holes, const char* action, const QString& text) {
@@ -86,7 +105,7 @@ LeftOpen left_open(const std::vector<HoleRow>& rows) {
 }
 
 QString fill_text(std::size_t count, double limit) {
-  return Panel::tr("Fill %1 up to %2").arg(count).arg(measure(limit));
+  return Panel::tr("Fill %1 up to %2").arg(count).arg(number_words(limit));
 }
 
 bool is_remeshed(const WorkObject& object) {
@@ -108,8 +127,7 @@ QString estimate_sentence(const Studio& studio, const Node& node, const PolyMesh
   options.overlap = number(studio, node, "overlap", options.overlap);
   const double finer = 1 / (options.cell * options.cell);
   const double time = seconds_per_face * static_cast<double>(scan.face_count()) * std::max(finer, 0.3);
-  return QCoreApplication::translate(
-             "Holes", "About %1, and %2 of memory at most; every vertex of the model will be another one.")
+  return Panel::tr("About %1, and %2 of memory at most; every vertex of the model will be another one.")
       .arg(seconds(time), bytes(remeshing::predicted_remesh_bytes(scan, options)));
 }
 
@@ -178,13 +196,12 @@ QString fill_tip(bool any_inner, double limit, std::size_t count) {
   if (limit <= 0) return Panel::tr("Drag the slider first: it sets the largest diameter");
   if (count == 0) return Panel::tr("No hole that small is open");
   return Panel::tr("Fills the open inner holes with a diameter of at most %1; filled holes stay filled")
-      .arg(measure(limit));
+      .arg(number_words(limit));
 }
 
 void add_sizes(Panel& panel, ScanHoles& holes) {
   auto* sizes = new SizeSlider(&panel);
-  auto* fill = new QPushButton(&panel);
-  fill->setObjectName("fill-sizes");
+  QPushButton* fill = panel.button("fill-sizes", {}, {}, [&holes, sizes] { fill_up_to(holes, sizes->diameter()); });
   fill->setFocusPolicy(Qt::NoFocus);
   // Of one width for all numbers, so that the slider beside it stays under the pointer.
   const int widest = fill->fontMetrics().horizontalAdvance(fill_text(9999, 0.000012345));
@@ -206,7 +223,6 @@ void add_sizes(Panel& panel, ScanHoles& holes) {
     holes.select(open_up_to(holes, diameter));
     follow();
   });
-  QObject::connect(fill, &QPushButton::clicked, &panel, [&holes, sizes] { fill_up_to(holes, sizes->diameter()); });
   panel.also(follow);
 }
 
@@ -256,33 +272,21 @@ void add_methods(Panel& panel, ScanHoles& holes) {
   panel.row({{named(fairness, Panel::tr("Method")), 1}, {named(kernel, Panel::tr("Function")), 1}});
 }
 
-/// While the slider is held down it is one change.
-QSlider* make_bulge_slider(Panel& panel, ScanHoles& holes) {
-  auto* slider = new QSlider(Qt::Horizontal, &panel);
-  slider->setObjectName("bulge-slider");
-  slider->setAccessibleName(Panel::tr("Bulge"));
-  slider->setRange(-bulge_steps, bulge_steps);
-  const auto slide = [&panel, &holes, slider](bool drags) {
-    if (!panel.following()) set_method(holes, {.bulge = static_cast<double>(slider->value()) / bulge_steps}, drags);
-  };
-  QObject::connect(slider, &QSlider::valueChanged, &panel, [slide, slider] { slide(slider->isSliderDown()); });
-  QObject::connect(slider, &QSlider::sliderReleased, &panel, [slide] { slide(false); });
-  panel.also([&holes, slider] {
-    // While it is held down, the slider leads.
-    if (slider->isSliderDown()) return;
-    slider->setValue(static_cast<int>(std::lround(method_of_selected(holes).bulge * bulge_steps)));
-  });
-  return slider;
-}
-
 void add_shape(Panel& panel, ScanHoles& holes) {
   QLabel* name = panel.label(Panel::tr("Bulge"));
   name->setToolTip(Panel::tr("Turns the slope at the rim: out above 0, in below"));
-  QSlider* slider = make_bulge_slider(panel, holes);
+  // While the slider is held down it is one change.
+  QSlider* slider = panel.slider(
+      "bulge-slider", -bulge_steps, bulge_steps,
+      [&holes] { return static_cast<int>(std::lround(method_of_selected(holes).bulge * bulge_steps)); },
+      [&holes](int value, bool drags) {
+        set_method(holes, {.bulge = static_cast<double>(value) / bulge_steps}, drags);
+      });
+  slider->setAccessibleName(name->text());
   QDoubleSpinBox* bulge = panel.number(
       "bulge", {-1, 1, 2}, [&holes] { return Panel::Number{method_of_selected(holes).bulge}; },
       [&holes](double value) { set_method(holes, {.bulge = value}); });
-  bulge->setAccessibleName(Panel::tr("Bulge"));
+  bulge->setAccessibleName(name->text());
   bulge->setSingleStep(0.05);
   auto* trim = new QSpinBox(&panel);
   trim->setObjectName("trim-rim");
@@ -309,10 +313,8 @@ void add_mode(Panel& panel, ScanHoles& holes) {
                        QString::fromStdString(choice)});
     }
   }
-  auto* start = new QPushButton(Panel::tr("Start"), &panel);
-  start->setObjectName("start-remesh");
+  QPushButton* start = panel.button("start-remesh", Panel::tr("Start"), {}, [&holes] { set_mode(holes, "remesh"); });
   start->setFocusPolicy(Qt::NoFocus);
-  QObject::connect(start, &QPushButton::clicked, &panel, [&holes] { set_mode(holes, "remesh"); });
   QLabel* estimate = panel.label({});
   estimate->setObjectName("remesh-estimate");
   estimate->setWordWrap(true);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/holes/hole_plan.h"
 
-#include <QCoreApplication>
-#include <QLocale>
-#include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/number_box.h"
 #include "croquis/base/error.h"
 #include "croquis/geometry/mesh_topology.h"
 #include "croquis/hole_filling/hole_choice.h"
@@ -17,26 +13,7 @@
 namespace croquis::app {
 namespace {
 
-QString tr(const char* text, int count = -1) { return QCoreApplication::translate("Holes", text, nullptr, count); }
-
-using hole_filling::HoleClass;
-
-const char* word_of(HoleClass kind) {
-  switch (kind) {
-    case HoleClass::Small: return QT_TR_NOOP("small");
-    case HoleClass::Simple: return QT_TR_NOOP("hole");
-    case HoleClass::Islands: return QT_TR_NOOP("with island");
-    case HoleClass::Tunnel: return QT_TR_NOOP("tunnel end");
-    case HoleClass::Outer: return QT_TR_NOOP("open edge");
-    case HoleClass::Slit: return QT_TR_NOOP("slit");
-    case HoleClass::BowTie: return QT_TR_NOOP("touches another");
-  }
-  return "";
-}
-
-bool has(std::span<const Index> holes, Index hole) {
-  return std::find(holes.begin(), holes.end(), hole) != holes.end();
-}
+bool has(std::span<const Index> holes, Index hole) { return std::ranges::count(holes, hole) > 0; }
 
 bool says_nothing(const HoleRequest& request) {
   HoleRequest empty;
@@ -125,39 +102,10 @@ std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Se
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes) {
   std::set<Index> all(holes.begin(), holes.end());
   for (const HoleRow& row : rows) {
-    if (row.kind == HoleClass::Islands && std::find(holes.begin(), holes.end(), row.id) != holes.end())
+    if (row.kind == hole_filling::HoleClass::Islands && has(holes, row.id))
       all.insert(row.companions.begin(), row.companions.end());
   }
   return {all.begin(), all.end()};
-}
-
-QString words_for(const HoleRow& hole) { return tr(word_of(hole.kind)); }
-
-QString words_for(FillAction state) {
-  switch (state) {
-    case FillAction::Fill: return tr("filled");
-    case FillAction::Failed: return tr("failed");
-    case FillAction::Leave: break;
-  }
-  return tr("open");
-}
-
-QString summary_of(const std::vector<HoleRow>& holes) {
-  if (holes.empty()) return tr("No holes");
-  const auto count = [&](FillAction state, bool border) {
-    return std::count_if(holes.begin(), holes.end(), [&](const HoleRow& hole) {
-      return hole.state == state && (state != FillAction::Leave || hole.is_border() == border);
-    });
-  };
-  QStringList parts;
-  const auto add = [&parts](std::ptrdiff_t number, const QString& one, const QString& many) {
-    if (number > 0) parts << (number == 1 ? one : many).arg(number);
-  };
-  add(count(FillAction::Fill, false), tr("%1 filled"), tr("%1 filled"));
-  add(count(FillAction::Leave, false), tr("%1 open"), tr("%1 open"));
-  add(count(FillAction::Leave, true), tr("%1 border left open"), tr("%1 borders left open"));
-  add(count(FillAction::Failed, false), tr("%1 failed"), tr("%1 failed"));
-  return (holes.size() == 1 ? tr("1 hole: ") : tr("%1 holes: ").arg(holes.size())) + parts.join(", ");
 }
 
 QString numbers_of(const std::set<Index>& holes) {
@@ -168,10 +116,9 @@ QString numbers_of(const std::set<Index>& holes) {
     parts << QString::number(*hole);
   }
   const QString list = parts.join(", ");
-  return holes.size() > shown_at_most ? tr("%1 and %2 more").arg(list).arg(holes.size() - shown_at_most) : list;
+  return holes.size() > shown_at_most ? QObject::tr("%1 and %2 more").arg(list).arg(holes.size() - shown_at_most)
+                                      : list;
 }
-
-QString measure(double value) { return number_words(value); }
 
 HolePlan::HolePlan(const Studio& studio, const Node& node) {
   ParameterValues values;
@@ -192,8 +139,7 @@ HoleRequest HolePlan::request(Index hole) const {
 }
 
 bool HolePlan::is_bridged(Index hole) const {
-  return std::any_of(bridges_.begin(), bridges_.end(),
-                     [&](const HoleRequest& request) { return has(request.holes, hole); });
+  return std::ranges::any_of(bridges_, [&](const HoleRequest& request) { return has(request.holes, hole); });
 }
 
 HoleRequest& HolePlan::entry(Index hole) {
@@ -213,7 +159,7 @@ void HolePlan::forget_empty() {
 
 void HolePlan::part_bridges(std::span<const Index> holes) {
   std::erase_if(bridges_, [&](const HoleRequest& request) {
-    return std::any_of(request.holes.begin(), request.holes.end(), [&](Index hole) { return has(holes, hole); });
+    return std::ranges::any_of(request.holes, [&](Index hole) { return has(holes, hole); });
   });
 }
 
@@ -253,9 +199,8 @@ ParameterValues HolePlan::values() const {
   FillChoice choice = choice_;
   std::vector<HoleRequest>& requests = choice.requests;
   for (const auto& [hole, request] : single_) {
-    const auto same = std::find_if(requests.begin(), requests.end(), [&, &own = request](const HoleRequest& other) {
-      return same_but_holes(own, other);
-    });
+    const auto same = std::ranges::find_if(
+        requests, [&, &own = request](const HoleRequest& other) { return same_but_holes(own, other); });
     if (same == requests.end() || !request.through.empty())
       requests.push_back(request);
     else

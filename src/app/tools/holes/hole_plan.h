@@ -54,20 +54,8 @@ std::vector<Index> named_rows(const std::vector<HoleRow>& rows, hole_filling::Se
 /// patch in the way. Ascending.
 std::vector<Index> with_islands(const std::vector<HoleRow>& rows, const std::vector<Index>& holes);
 
-/// "island", "open edge" … in people's words.
-QString words_for(const HoleRow& hole);
-
-/// "filled", "open" or "failed".
-QString words_for(FillAction state);
-
-/// "27 holes: 25 filled, 1 border left open, 1 failed".
-QString summary_of(const std::vector<HoleRow>& holes);
-
 /// "3", "3–5, 9" …: at most a few, then how many more.
 QString numbers_of(const std::set<Index>& holes);
-
-/// A length or area of the model with as many figures as are worth reading.
-QString measure(double value);
 
 /// The parameters of a `fill` operation per hole, so that one hole can be changed without touching the others, and
 /// joined again.

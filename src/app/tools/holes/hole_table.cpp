@@ -12,6 +12,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/panels/number_box.h"
 #include "app/tools/holes/hole_overlay.h"
 #include "app/window/language.h"
 #include "app/window/theme.h"
@@ -60,6 +61,25 @@ QIcon state_icon(const HoleRow& hole) {
   return picture;
 }
 
+QString words_for(hole_filling::HoleClass kind) {
+  using hole_filling::HoleClass;
+  switch (kind) {
+    case HoleClass::Small: return HoleTable::tr("small");
+    case HoleClass::Simple: return HoleTable::tr("hole");
+    case HoleClass::Islands: return HoleTable::tr("with island");
+    case HoleClass::Tunnel: return HoleTable::tr("tunnel end");
+    case HoleClass::Outer: return HoleTable::tr("open edge");
+    case HoleClass::Slit: return HoleTable::tr("slit");
+    case HoleClass::BowTie: return HoleTable::tr("touches another");
+  }
+  return {};
+}
+
+QString words_for(FillAction state) {
+  if (state == FillAction::Fill) return HoleTable::tr("filled");
+  return state == FillAction::Failed ? HoleTable::tr("failed") : HoleTable::tr("open");
+}
+
 QString degrees(const std::optional<double>& angle) {
   return angle ? QString::number(*angle * 180 / std::numbers::pi, 'f', 1) + QStringLiteral("°") : QString();
 }
@@ -76,7 +96,7 @@ bool same_cells(const HoleRow& a, const HoleRow& b) {
 
 QString tip_of(const HoleRow& hole) {
   QStringList lines;
-  lines << HoleTable::tr("Hole %1: %2 edges, %3 round").arg(hole.id).arg(hole.edges).arg(measure(hole.perimeter));
+  lines << HoleTable::tr("Hole %1: %2 edges, %3 round").arg(hole.id).arg(hole.edges).arg(number_words(hole.perimeter));
   if (!hole.companions.empty()) {
     const std::set<Index> others(hole.companions.begin(), hole.companions.end());
     lines << HoleTable::tr("Filled together with %1").arg(numbers_of(others));
@@ -253,10 +273,10 @@ void HoleTable::show_holes(const std::vector<HoleRow>& holes) {
     QIcon& icon = icons[words_for(hole.state) + (hole.is_border() ? "|" : "")];
     if (icon.isNull()) icon = state_icon(hole);
     item(row, StateColumn)->setIcon(icon);
-    write(Kind, words_for(hole));
-    write(Diameter, measure(hole.diameter), hole.diameter);
+    write(Kind, words_for(hole.kind));
+    write(Diameter, number_words(hole.diameter), hole.diameter);
     write(Edges, QString::number(hole.edges), static_cast<qulonglong>(hole.edges));
-    write(Area, measure(hole.area), hole.area);
+    write(Area, number_words(hole.area), hole.area);
     write(Method, QString::fromStdString(hole.method));
     write(Confidence, percent_words(hole.confidence), optional(hole.confidence));
     write(Jump, degrees(hole.angle), optional(hole.angle));

@@ -54,22 +54,6 @@ std::vector<HolePatchView> patch_views(const PatchSurface& patches, const std::v
   return list;
 }
 
-/// By the sign of the volume that its faces see from the middle.
-bool is_inside_out(const PolyMesh& mesh) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& place : mesh.positions) middle += place / static_cast<double>(mesh.vertex_count());
-  double volume = 0;
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const auto corners = mesh.face(face);
-    const Vec3 first = mesh.positions[corners[0]] - middle;
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      const Vec3 second = mesh.positions[corners[k - 1]] - middle, third = mesh.positions[corners[k]] - middle;
-      volume += first.dot(second.cross(third));
-    }
-  }
-  return volume < 0;
-}
-
 }  // namespace
 
 ScanHoles::ScanHoles(Tool& tool_of_window, ToolHost& window)
@@ -229,18 +213,6 @@ std::vector<Index> open_of_selected(const ScanHoles& holes) {
 
 std::vector<Index> open_up_to(const ScanHoles& holes, double diameter) {
   return holes_in_state(holes, named_rows(holes.rows, hole_filling::Selection::Inner, diameter), FillAction::Leave);
-}
-
-std::optional<Vec3> facing_of_selected(const ScanHoles& holes) {
-  constexpr double one_direction = 0.7;  // length of the mean
-  const auto scan = holes.scan();
-  if (!scan || holes.selected().empty()) return std::nullopt;
-  Vec3 sum = Vec3::Zero();
-  for (const Index hole : holes.selected()) {
-    if (const HoleRow* found = holes.row(hole)) sum += found->normal;
-  }
-  if (sum.norm() < one_direction * static_cast<double>(holes.selected().size())) return std::nullopt;
-  return (is_inside_out(*scan) ? -1 : 1) * sum.normalized();
 }
 
 }  // namespace croquis::app

@@ -12,6 +12,7 @@
 #include "app/tools/holes/hole_overlay.h"
 #include "app/tools/holes/hole_plan.h"
 #include "app/tools/tool.h"
+#include "croquis/tools/holes/hole_steps.h"
 #include "croquis/tools/holes/hole_tool.h"
 #include "croquis/tools/mesh/mesh_pick.h"
 
@@ -81,21 +82,10 @@ std::vector<Index> open_of_selected(const ScanHoles& holes);
 /// Open holes that aren't borders, up to that diameter.
 std::vector<Index> open_up_to(const ScanHoles& holes, double diameter);
 
-/// Where what is selected looks to, out of the scan; nothing where that isn't one direction.
-std::optional<Vec3> facing_of_selected(const ScanHoles& holes);
-
 // What becomes of holes; each is one step of the history.
 
-void fill_selected(ScanHoles& holes);
-bool can_fill_selected(const ScanHoles& holes);  ///< one is open, or belongs to a bridge that couldn't be made
-/// @param select one of the parameter's choices; of "inner", nothing that is filled is opened
-void fill_all(ScanHoles& holes, const std::string& select);
-/// It would change something, or that isn't known yet.
-bool can_fill_all(const ScanHoles& holes, const std::string& select);
 void fill_up_to(ScanHoles& holes, double diameter);  ///< what is filled already stays
 void reopen_selected(ScanHoles& holes);
-void bridge_selected(ScanHoles& holes);
-void clear_handles(ScanHoles& holes);  ///< of the selected holes
 
 // How patches are made: of the selected holes, of all when none is selected.
 
@@ -107,12 +97,7 @@ struct PatchMethod {
 PatchMethod method_of_selected(const ScanHoles& holes);
 
 /// What isn't given stays.
-struct MethodChange {
-  std::optional<std::string> fairness = {}, kernel = {};
-  std::optional<double> bulge = {};
-  std::optional<std::int64_t> trim_rim = {};
-};
-void set_method(ScanHoles& holes, const MethodChange& change, bool drags = false);
+void set_method(ScanHoles& holes, recorded::HoleWay change, bool drags = false);
 
 /// "preset" and "mode": of all holes, what is scanned, and whether patches close it or the model is remeshed.
 std::string text_parameter(const ScanHoles& holes, const std::string& name);

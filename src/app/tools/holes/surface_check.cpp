@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/views/patch_surface.h"
 #include "croquis/geometry/self_intersection.h"
 #include "croquis/hole_filling/surface_view.h"
 
@@ -18,23 +19,11 @@ constexpr int pause_ms = 400;  // checks take longer than patches: not while val
 /// @param faces faces of the mesh, ascending
 std::vector<Index> patch_faces(const PolyMesh& mesh, std::span<const Index> faces) {
   std::vector<Index> patches;
-  const AttributeChannel* channel = mesh.channel("patch_id", Domain::Face);
-  const auto* ids = channel == nullptr ? nullptr : std::get_if<std::vector<std::int32_t>>(&channel->data);
+  const std::vector<std::int32_t>* ids = patch_ids(mesh);
   for (std::size_t i = 0; ids != nullptr && i < faces.size(); ++i) {
     if ((*ids)[faces[i]] >= 0) patches.push_back(static_cast<Index>(i));
   }
   return patches;
-}
-
-bool keeps_vertices(const PolyMesh& filled, const PolyMesh& scan) {
-  return filled.vertex_count() >= scan.vertex_count() &&
-         std::equal(scan.positions.begin(), scan.positions.end(), filled.positions.begin());
-}
-
-bool keeps_faces(const PolyMesh& filled, const PolyMesh& scan) {
-  return filled.face_count() >= scan.face_count() &&
-         std::equal(scan.face_offsets.begin(), scan.face_offsets.end(), filled.face_offsets.begin()) &&
-         std::equal(scan.corners.begin(), scan.corners.end(), filled.corners.begin());
 }
 
 /// Whether all faces that are of no patch are the scan's, in its order, though some are missing: trimming takes faces
@@ -103,9 +92,7 @@ CheckedSurface check_surface(const PolyMesh& filled, const PolyMesh* scan, Progr
   checked.intersections = checked.has_patches ? find_intersections_of(surface.mesh, patches, meeting, {}).count
                                               : find_self_intersections(surface.mesh, meeting, {}).count;
   if (scan == nullptr) return checked;
-  const bool vertices = keeps_vertices(filled, *scan);
-  const bool faces = keeps_faces(filled, *scan);
-  checked.outside_unchanged = vertices && faces;
+  checked.outside_unchanged = begins_with(filled, *scan);
   checked.trimmed =
       !checked.outside_unchanged && checked.has_patches && keeps_what_trimming_left(filled, *scan, patches);
   return checked;

@@ -9,18 +9,15 @@
 #include <cmath>
 
 #include "app/replay/replays.h"
+#include "app/tools/action_rows.h"
 #include "app/tools/scene_parts.h"
 #include "app/views/viewport.h"
-#include "app/window/action_list.h"
 #include "app/window/language.h"
 #include "app/window/theme.h"
 
 namespace croquis::app {
 namespace {
 
-constexpr const char* label_style =
-    "background: #2b2d31; color: #f2f3f5; border: 1px solid #f28c28; border-radius: 5px; padding: 1px 6px;"
-    " font-size: 12px";
 constexpr QPointF label_offset(10, -26);
 constexpr float place_pixels = 9;
 constexpr float hover_pixels = 7;
@@ -36,12 +33,13 @@ render::Mark mark_at(const Vec3& place, float pixels, const QColor& color) {
 
 MeasuringTool::MeasuringTool(ToolHost& host)
     : Tool(host, "Measuring"),
-      tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }) {}
+      tool_([this](const ViewFrame& frame, const Vec2& pixel) { return place_under(frame, pixel); }),
+      chips_(host.viewport()) {}
 
 void MeasuringTool::make_actions(ActionList& actions) {
   QMenu* edit = actions.menu(MenuId::Edit);
   edit->addSeparator();
-  actions.add_mode(edit, "measure", tr("Measure"), "M", [this] { host().set_mode("measure"); });
+  add_mode(host(), actions, MenuId::Edit, "measure", tr("Measure"), "M");
   actions.add(edit, "copy-measurement", tr("Copy measurement"), {QKeySequence::Copy}, [this] {
     QApplication::clipboard()->setText(localized(measured_text(tool_.places())));
     host().say(tr("Copied: %1").arg(QApplication::clipboard()->text().trimmed().replace('\n', QStringLiteral(" · "))));
@@ -96,10 +94,9 @@ void MeasuringTool::make_replays(Replays& replays) {
   replays.ranges["measured"] = [this](const std::string&) {
     const std::vector<Vec3>& places = tool_.places();
     if (places.size() < 2) refuse_replay("Nothing is measured");
-    std::pair<double, double> range((places[1] - places[0]).norm(), (places[1] - places[0]).norm());
-    if (places.size() > 2) range.first = std::min(range.first, (places[2] - places[1]).norm());
-    if (places.size() > 2) range.second = std::max(range.second, (places[2] - places[1]).norm());
-    return range;
+    const double first = (places[1] - places[0]).norm();
+    const double second = places.size() > 2 ? (places[2] - places[1]).norm() : first;
+    return std::pair(std::min(first, second), std::max(first, second));
   };
 }
 
@@ -128,32 +125,26 @@ void MeasuringTool::add_to(render::Scene& scene, int) {
   if (!active()) return;
   std::vector<render::Mark> marks;
   for (const Vec3& place : tool_.places()) marks.push_back(mark_at(place, place_pixels, colors::accent));
-  if (tool_.hovered() && !pen_.down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
+  if (tool_.hovered() && !down()) marks.push_back(mark_at(*tool_.hovered(), hover_pixels, colors::hover));
   std::vector<render::LinePath> paths;
   if (tool_.places().size() > 1) paths.push_back(path_of(tool_.places(), to_glm));
-  add_items(scene, {lines_of(paths, {line_pixels, to_color(colors::accent), {}, render::LineDepth::OnTop})},
-            {marks_of(marks)});
+  add_items(scene, {lines_of(paths, {line_pixels, to_color(colors::accent), {}})}, {marks_of(marks)});
 }
 
 void MeasuringTool::place_chips(ChipPlaces& places) {
-  for (QLabel* label : labels_) label->hide();
-  if (!active()) return;
-  std::size_t used = 0;
-  const std::vector<MeasuredValue> values = measured(tool_.places());
+  chips_.begin(places);
+  const std::vector<MeasuredValue> values = active() ? measured(tool_.places()) : std::vector<MeasuredValue>();
   for (const int view : places.layout().shown()) {
     const ViewPane& pane = places.layout().pane(view);
     for (const MeasuredValue& value : values) {
       const auto seen = frame_of(host().views(), view).project(value.at);
       const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
       if (!seen || !pane.rect.contains(at)) continue;
-      if (used == labels_.size()) labels_.push_back(make_chip_label(host().viewport(), label_style));
-      QLabel& label = *labels_[used++];
-      label.setObjectName("measured-value");
-      label.setText(localized(value.name + " " + value.text));
-      label.adjustSize();
-      places.put(label, at + label_offset, pane.rect);
+      const QString text = localized(value.name + " " + value.text);
+      chips_.put_value("measured-value", text, "#f28c28", at + label_offset, pane.rect);
     }
   }
+  chips_.end();
 }
 
 std::optional<SelectionFrame> MeasuringTool::selection_frame(int) const {

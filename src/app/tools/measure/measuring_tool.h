@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLabel>
-#include <vector>
-
 #include "app/tools/tool.h"
 #include "app/views/object_picker.h"
 #include "croquis/tools/measure/measure_steps.h"
@@ -46,7 +43,7 @@ class MeasuringTool final : public Tool {
   MeasureTool tool_;
   ObjectPicker objects_;
   int view_ = 0;  ///< that the pointer is in
-  std::vector<QLabel*> labels_;
+  ChipSet chips_;
 };
 
 }  // namespace croquis::app

@@ -32,9 +32,8 @@ constexpr double extrusion_share = 0.1;  // of the mesh's diagonal
 
 /// A first step that can be seen; the manipulator goes on from there.
 double extrusion_distance(const PolyMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& place : mesh.positions) box.extend(place);
-  return box.isEmpty() ? 0 : extrusion_share * box.diagonal().norm();
+  const BoundingBox box = bounds_of(mesh);
+  return box ? extrusion_share * ((*box)[1] - (*box)[0]).norm() : 0;
 }
 
 /// Edits with actions of their own, which set their numbers by hand.
@@ -116,21 +115,17 @@ QList<QAction*> add(Making& making, QMenu* menu, const std::vector<ActionRow>& r
 void add_tip(QAction* action) { action->setToolTip(action->text() + " (" + action->shortcut().toString() + ")"); }
 
 void add_handles(Making& making) {
-  const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {
-    making.actions.add_mode(making.actions.menu(menu), mode, text, key,
-                            [&host = making.host, mode] { host.set_mode(mode); });
-  };
   making.actions.menu(MenuId::Modify)->addSeparator();
-  add_mode(MenuId::Modify, "move", menu_text("Move"), "W");
-  add_mode(MenuId::Modify, "rotate", menu_text("Rotate"), "E");
-  add_mode(MenuId::Modify, "scale", menu_text("Scale"), "R");
-  add_mode(MenuId::Mesh, "sharpen", menu_text("Change sharpness"), "S");
+  add_mode(making.host, making.actions, MenuId::Modify, "move", menu_text("Move"), "W");
+  add_mode(making.host, making.actions, MenuId::Modify, "rotate", menu_text("Rotate"), "E");
+  add_mode(making.host, making.actions, MenuId::Modify, "scale", menu_text("Scale"), "R");
+  add_mode(making.host, making.actions, MenuId::Mesh, "sharpen", menu_text("Change sharpness"), "S");
   making.actions.menu(MenuId::Mesh)->addSeparator();
 }
 
 void add_modes(Making& making, QMenu* menu) {
   auto* modes = new QActionGroup(making.made.bar);
-  const auto add_mode = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
+  const auto add_picking = [&](const QString& name, const QString& text, const QString& key, MeshMode mode) {
     QAction* action = making.actions.add(menu, name, text, {QKeySequence(key)},
                                          [&tool = making.tool, mode] { tool.set_mesh_mode(mode); });
     action->setCheckable(true);
@@ -139,20 +134,17 @@ void add_modes(Making& making, QMenu* menu) {
     making.made.modes[mode] = action;
     making.made.bar->addAction(action);
   };
-  add_mode("object-mode", menu_text("Objects"), "F8", MeshMode::Object);
-  add_mode("vertex-mode", menu_text("Vertices"), "F9", MeshMode::Vertex);
-  add_mode("edge-mode", menu_text("Edges"), "F10", MeshMode::Edge);
-  add_mode("face-mode", menu_text("Faces"), "F11", MeshMode::Face);
+  add_picking("object-mode", menu_text("Objects"), "F8", MeshMode::Object);
+  add_picking("vertex-mode", menu_text("Vertices"), "F9", MeshMode::Vertex);
+  add_picking("edge-mode", menu_text("Edges"), "F10", MeshMode::Edge);
+  add_picking("face-mode", menu_text("Faces"), "F11", MeshMode::Face);
 }
 
 void add_selections(Making& making, QMenu* menu) {
   add(making, menu, selections(making.tool));
-  QAction* through = making.actions.add(menu, "select-through", menu_text("Select through"), {QKeySequence("Ctrl+T")},
-                                        [&tool = making.tool, &host = making.host] {
-                                          tool.tool().set_pick_through(host.action("select-through")->isChecked());
-                                        });
-  through->setCheckable(true);
-  making.made.of_mesh << through;
+  making.made.of_mesh << add_toggle(making.actions, menu, "select-through", menu_text("Select through"),
+                                    shortcuts("Ctrl+T"),
+                                    [&tool = making.tool](bool on) { tool.tool().set_pick_through(on); });
 }
 
 /// From the edits' own descriptions: a new edit needs no line here.
@@ -368,16 +360,8 @@ void add_mesh_replays(Replays& replays, MeshEditingTool& mesh, Studio& studio) {
   });
   // Those that need no view.
   const auto play = [&mesh, &studio](const auto& step) { play_on_mesh(mesh, studio, step.node, step); };
-  replays.on<recorded::Pick>(play);
-  replays.on<recorded::Move>(play);
-  replays.on<recorded::Rotate>(play);
-  replays.on<recorded::Scale>(play);
-  replays.on<recorded::Tag>(play);
-  replays.on<recorded::Pin>(play);
-  replays.on<recorded::TagSet>(play);
-  replays.on<recorded::Extrude>(play);
-  replays.on<recorded::LoopCut>(play);
-  replays.on<recorded::EditStep>(play);
+  replays.on_each<recorded::Pick, recorded::Move, recorded::Rotate, recorded::Scale, recorded::Tag, recorded::Pin,
+                  recorded::TagSet, recorded::Extrude, recorded::LoopCut, recorded::EditStep>(play);
 }
 
 ScaleOffer::ScaleOffer(ToolHost& host, ActionList& actions, QMenu* menu)

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/finding_elements.h"
 #include "app/panels/number_box.h"
 #include "app/views/own_space.h"
 #include "app/views/viewport.h"
@@ -24,6 +23,13 @@ const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Selec
                                                 {"rotate", MeshHandles::Rotate},
                                                 {"scale", MeshHandles::Scale},
                                                 {"sharpen", MeshHandles::Sharpen}};
+
+/// @param origin of its view, in the pixels of the views, which are the bounds
+void put_value(ChipSet& chips, const QPointF& origin, const PointerValue& value, const QRectF& bounds) {
+  constexpr QPointF from_pointer(14, -24);
+  const QPointF at = origin + QPointF(value.pixel.x(), value.pixel.y());
+  chips.put_value("edge-value", value.text, "#609ce6", at + from_pointer, bounds);
+}
 
 /// The colours of tagged edges with what they mean.
 Legend* make_sharpness_legend(QWidget* views) {
@@ -100,7 +106,7 @@ MeshEditingTool::MeshEditingTool(ToolHost& host)
       tool_(host.studio().session(), &host.studio()),
       objects_(host.studio()),
       legend_(make_sharpness_legend(&host.viewport())),
-      value_(host.viewport()) {
+      chips_(host.viewport()) {
   drags_leave_views_ = true;
 }
 
@@ -112,8 +118,7 @@ void MeshEditingTool::make_panels(PanelDocks& docks) {
       follow();
     });
   }
-  panels_ = std::make_unique<MeshPanels>(*this, docks);
-  connect(this, &Tool::committed, this, [this] { panels_->show_last_edit(); });
+  show_panels_ = make_mesh_panels(*this, studio(), docks);
 }
 
 void MeshEditingTool::refresh() {
@@ -122,7 +127,7 @@ void MeshEditingTool::refresh() {
   const bool useful = object != nullptr && object->cage != 0 && (at_work == nullptr || at_work == this);
   refresh_mesh_actions(actions_, tool_, host(), state().picks_elements);
   actions_.bar->setVisible(useful && host().shows_views());
-  panels_->follow(studio().session().components(), useful);
+  show_panels_(useful);
 }
 
 void MeshEditingTool::set_mode(const QString& mode) {
@@ -214,9 +219,9 @@ void MeshEditingTool::handle(const MeshEvent& event, int view) {
   if (objects_.active() || (is_free && event.kind == PenStep::Kind::Begin)) {
     if (const auto done = objects_.handle(event, view)) emit committed(*done);
   }
-  value_.hide();
+  value_.reset();
   if (const auto* motion = motion_of(tool_, objects_.mover()))
-    value_.show(view, event.pixel, motion_text(*motion, tool_.handles()));
+    value_ = {view, event.pixel, motion_text(*motion, tool_.handles())};
   show_hover();
 }
 
@@ -227,10 +232,10 @@ void MeshEditingTool::hover(const PointerEvent& event) {
   ObjectMover& mover = objects_.mover();
   const bool on_handle = leaves ? mover.leave() : picks_objects() && mover.hover(event.position, frame);
   const bool moved = leaves ? tool_.leave() : tool_.hover(event.position, frame);
-  value_.hide();
+  value_.reset();
   if (const auto& sharpness = tool_.preview().hovered_sharpness; sharpness && !leaves)
-    value_.show(event.view, event.position, sharpness_text(*sharpness));
-  if (moved || on_handle || value_.shown()) show_hover();
+    value_ = {event.view, event.position, sharpness_text(*sharpness)};
+  if (moved || on_handle || value_) show_hover();
 }
 
 void MeshEditingTool::show_hover() {
@@ -275,8 +280,7 @@ bool MeshEditingTool::show(const Target& target) {
   studio().set_active(found->node);
   follow();
   if (!tool_.editable().mesh()) return false;
-  const FoundElements elements = elements_of(found->finding, *tool_.editable().topology());
-  if (!show(PickedElements{elements.kind, elements.elements})) return false;
+  if (!show(elements_of(found->finding, *tool_.editable().topology()))) return false;
   frame_selection(host().views());
   return true;
 }
@@ -313,7 +317,9 @@ std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
 
 void MeshEditingTool::place_chips(ChipPlaces& places) {
   places.put_legend(*legend_, overlay_.shows_tags());
-  value_.place(places);
+  chips_.begin(places);
+  if (value_) put_value(chips_, places.layout().pane(value_->view).rect.topLeft(), *value_, host().viewport().rect());
+  chips_.end();
 }
 
 }  // namespace croquis::app

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "app/tools/mesh/mesh_actions.h"
 #include "app/tools/mesh/mesh_overlay.h"
@@ -13,6 +12,13 @@
 #include "croquis/tools/mesh/mesh_tool.h"
 
 namespace croquis::app {
+
+/// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
+struct PointerValue {
+  int view = 0;
+  Vec2 pixel = Vec2::Zero();  ///< of the view
+  QString text;
+};
 
 /// Meshes: objects and their vertices, edges and faces are selected, moved, tagged and cut, by pen and mouse in any
 /// view and by menus.
@@ -29,7 +35,6 @@ class MeshEditingTool final : public Tool {
 
   /// What the pointer picks: objects or elements of one kind.
   void set_mesh_mode(MeshMode mode);
-
   void enter_mesh_mode(MeshMode mode);  ///< the same where the window's mode stays
 
   /// Shows what is there after the document or the selection has changed.
@@ -74,9 +79,10 @@ class MeshEditingTool final : public Tool {
   bool cage_hidden_ = false;  ///< the smooth surface alone is wanted, also while elements are picked
   int gesture_view_ = 0;
   Legend* legend_;
-  PointerValue value_;
+  std::optional<PointerValue> value_;
+  ChipSet chips_;
   MeshActions actions_;
-  std::unique_ptr<MeshPanels> panels_;
+  std::function<void(bool useful)> show_panels_;
 };
 
 }  // namespace croquis::app

@@ -12,10 +12,6 @@
 namespace croquis::app {
 namespace {
 
-constexpr const char* value_style =
-    "background: #2b2d31; color: #f2f3f5; border: 1px solid #609ce6; border-radius: 5px; padding: 1px 6px;"
-    " font-size: 12px";
-constexpr QPointF value_offset(14, -24);
 constexpr std::size_t points_at_most = 300'000;  // vertices of more aren't drawn: they would cover everything
 constexpr std::size_t rims_at_most = 50'000;     // more selected faces than this have no lines
 constexpr std::size_t edges_at_most = 5'000;     // more have no borders and aren't seen through the surface
@@ -207,30 +203,13 @@ void MeshOverlay::add_to(render::Scene& scene, bool with_chains) const {
     if (item) scene.points.push_back(item);
   }
   const auto is_shown = [&](const render::FaceHighlightPtr& highlight) {
-    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                       [&](const auto& mesh) { return mesh.item == highlight->mesh; });
+    return std::ranges::any_of(scene.meshes, [&](const auto& mesh) { return mesh.item == highlight->mesh; });
   };
   for (const render::FaceHighlightPtr& highlight : faces_) {
     if (highlight && is_shown(highlight)) scene.highlights.push_back(highlight);
   }
   if (hovered_face_ && is_shown(hovered_face_)) scene.highlights.push_back(hovered_face_);
   add_items(scene, {}, {dots_});
-}
-
-PointerValue::PointerValue(QWidget& views) : label_(make_chip_label(views, value_style)) {
-  label_->setObjectName("edge-value");
-}
-
-void PointerValue::show(int view, const Vec2& pixel, const QString& text) {
-  view_ = view;
-  pixel_ = {pixel.x(), pixel.y()};
-  label_->setText(text);
-  label_->adjustSize();
-}
-
-void PointerValue::place(ChipPlaces& places) {
-  if (!view_) return label_->hide();
-  places.put(*label_, places.layout().pane(*view_).rect.topLeft() + pixel_ + value_offset);
 }
 
 void add_handles(const ManipulatorPicture& picture, render::Scene& scene) {

@@ -7,8 +7,6 @@
 
 #include "app/studio/studio.h"
 #include "app/tools/scene_parts.h"
-#include "app/views/view_chips.h"
-#include "app/views/view_pane.h"
 #include "croquis/render/edge_item.h"
 #include "croquis/render/scene.h"
 #include "croquis/tools/mesh/mesh_tool.h"
@@ -57,23 +55,6 @@ class MeshOverlay {
   render::FaceHighlightPtr hovered_face_;
   render::LineItemPtr cut_;
   render::Bounds selection_bounds_;
-};
-
-/// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
-class PointerValue {
- public:
-  explicit PointerValue(QWidget& views);
-
-  /// @param pixel of the view
-  void show(int view, const Vec2& pixel, const QString& text);
-  void hide() { view_.reset(); }
-  bool shown() const { return view_.has_value(); }
-  void place(ChipPlaces& places);
-
- private:
-  QLabel* label_;
-  std::optional<int> view_;
-  QPointF pixel_;
 };
 
 /// A manipulator's lines and handles, as it is shown in one view.

@@ -46,10 +46,6 @@ QString with_unit(const QString& title, const std::string& unit) {
   return unit.empty() ? title : title + " (" + QString::fromStdString(unit) + ")";
 }
 
-QPointF widget_place(const Sheet& sheet, const Vec2& at) {
-  return sketch_to_widget(sheet.host.views(), {at.x(), -at.y()});
-}
-
 void set_selected(Sheet& sheet, const StrokeSetting& setting) {
   sheet.take(recorded::SheetSetting{sheet.tool.selected(), setting});
 }
@@ -149,13 +145,9 @@ void add_group_actions(Sheet& sheet, ActionList& actions, QMenu* menu) {
   };
   add_group("group-auto", std::nullopt);
   for (std::size_t i = 0; i < group_actions.size(); ++i) add_group(group_actions[i], static_cast<StrokeGroup>(i));
-  const auto take_role = [&sheet] {
-    const bool on = sheet.host.action("construction")->isChecked();
-    choose_role(sheet, on ? StrokeRole::Construction : StrokeRole::Edge);
-  };
+  const auto take_role = [&sheet](bool on) { choose_role(sheet, on ? StrokeRole::Construction : StrokeRole::Edge); };
   QAction* construction =
-      actions.add(menu, "construction", QObject::tr("Construction lines"), {}, take_role, Recorded::ByItself);
-  construction->setCheckable(true);
+      add_toggle(actions, menu, "construction", QObject::tr("Construction lines"), {}, take_role, Recorded::ByItself);
   construction->setIconText(QObject::tr("Guides"));
   set_sector_color(*construction, QColor(150, 156, 166));
 }
@@ -217,9 +209,8 @@ void add_sheet_actions(Sheet& sheet, ActionList& actions, ToolKeys& keys) {
   QMenu* menu = actions.menu(MenuId::Perspective);
   add_group_actions(sheet, actions, menu);
   add_rows(actions, menu, stroke_actions(sheet));
-  QAction* through = actions.add(menu, "look-through", QObject::tr("Look through the drawing"), {QKeySequence("V")},
-                                 [&sheet] { look_through(sheet, sheet.host.action("look-through")->isChecked()); });
-  through->setCheckable(true);
+  add_toggle(actions, menu, "look-through", QObject::tr("Look through the drawing"), {QKeySequence("V")},
+             [&sheet](bool on) { look_through(sheet, on); });
   add_keys(sheet, keys);
 }
 
@@ -242,6 +233,10 @@ void refresh_sheet_actions(const Sheet& sheet) {
   host.action("construction")->setChecked(sheet.tool.role() == StrokeRole::Construction);
   const auto& group = sheet.tool.group();
   host.action(group ? group_actions[static_cast<std::size_t>(*group)] : "group-auto")->setChecked(true);
+}
+
+QPointF widget_place(const Sheet& sheet, const Vec2& at) {
+  return sketch_to_widget(sheet.host.views(), {at.x(), -at.y()});
 }
 
 void ask_point(Sheet& sheet, const Vec2& at) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/panels/finding_elements.h"
+#include "app/panels/number_box.h"
 #include "app/views/viewport.h"
 #include "app/window/language.h"
 #include "app/window/theme.h"
@@ -42,6 +43,37 @@ std::vector<PerspectiveFace> without(const std::vector<PerspectiveFace>& faces,
     if (!known.contains(strokes_of_face(face))) left.push_back(face);
   }
   return left;
+}
+
+/// How another set of faces that would close a solid, too, differs from the one that is shown.
+struct FaceDifference {
+  std::vector<PerspectiveFace> added;    ///< in the other set alone
+  std::vector<PerspectiveFace> removed;  ///< in the one shown alone
+};
+
+FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternative& alternative) {
+  return {without(alternative.faces, result.faces), without(result.faces, alternative.faces)};
+}
+
+/// "s1+s2+s3": as the operation's lists name faces.
+std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces) {
+  std::vector<std::string> names;
+  for (const PerspectiveFace& face : faces) {
+    std::string name;
+    for (const std::string& stroke : strokes_of_face(face)) name += (name.empty() ? "" : "+") + stroke;
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+/// Takes another set of faces, by its number.
+void take_alternative(Sheet& sheet, std::size_t alternative) {
+  const PerspectiveResult* result = sheet.result();
+  if (result == nullptr || alternative >= result->alternatives.size()) return;
+  const FaceDifference difference = difference_of(*result, result->alternatives[alternative]);
+  sheet.host.attempt([&] {
+    sheet.take(recorded::SheetFaces{names_of(difference.added), names_of(difference.removed)});
+  });
 }
 
 /// The curves of a loop, one after the other.
@@ -156,10 +188,6 @@ constexpr const char* alternative_style =
     "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px; padding: 2px 9px }"
     "QToolButton:hover { background: #dbe8fb; border: 1px solid #3a6fc4 }";
 
-QString faces_text(std::size_t count) {
-  return count == 1 ? QObject::tr("1 face") : QObject::tr("%1 faces").arg(count);
-}
-
 /// Of all findings with that code.
 std::vector<std::string> strokes_with(const Findings& findings, const std::string& code) {
   std::vector<std::string> strokes;
@@ -168,10 +196,6 @@ std::vector<std::string> strokes_with(const Findings& findings, const std::strin
     for (std::string& id : strokes_of(finding)) strokes.push_back(std::move(id));
   }
   return strokes;
-}
-
-int count_of(const Findings& findings, const std::string& code) {
-  return static_cast<int>(std::ranges::count(findings, code, &Finding::code));
 }
 
 /// Edges that bound no face, and of which the result knows.
@@ -194,27 +218,28 @@ SolidState state_of_open(const PerspectiveDrawing& drawing, const PerspectiveRes
     if (std::ranges::find(open, id) == open.end()) open.push_back(id);
   }
   if (result.faces.empty()) {
-    const QString edges =
-        result.edge_strokes == 1 ? QObject::tr("1 edge") : QObject::tr("%1 edges").arg(result.edge_strokes);
+    const QString edges = counted_words(result.edge_strokes, QObject::tr("1 edge"), QObject::tr("%1 edges"));
     return {edges + QObject::tr(", no face yet"), false, open};
   }
+  const QString faces = counted_words(result.faces.size(), QObject::tr("1 face"), QObject::tr("%1 faces"));
   const QString lacking =
-      open.size() == 1 ? QObject::tr("1 edge lacks a face") : QObject::tr("%1 edges lack a face").arg(open.size());
-  return {faces_text(result.faces.size()) + ", " + lacking, false, open};
+      counted_words(open.size(), QObject::tr("1 edge lacks a face"), QObject::tr("%1 edges lack a face"));
+  return {faces + ", " + lacking, false, open};
 }
 
 /// What is wrong with a solid that is closed, the worst first; nothing: an empty sentence.
 SolidState doubt_about(const PerspectiveDrawing& drawing, const PerspectiveResult& result, const Findings& findings) {
-  if (const int bent = count_of(findings, "NONPLANAR_STRAIGHT_FACE"); bent > 0) {
-    return {bent == 1 ? QObject::tr("Closed, but one face is bent: a stroke is probably missing")
-                      : QObject::tr("Closed, but %1 faces are bent: strokes are probably missing").arg(bent),
-            false, strokes_with(findings, "NONPLANAR_STRAIGHT_FACE")};
+  const auto has = [&](const char* code) { return std::ranges::count(findings, code, &Finding::code); };
+  const auto doubt = [&](const QString& sentence, const char* code) {
+    return SolidState{sentence, false, strokes_with(findings, code)};
+  };
+  if (const auto bent = has("NONPLANAR_STRAIGHT_FACE"); bent > 0) {
+    return doubt(bent == 1 ? QObject::tr("Closed, but one face is bent: a stroke is probably missing")
+                           : QObject::tr("Closed, but %1 faces are bent: strokes are probably missing").arg(bent),
+                 "NONPLANAR_STRAIGHT_FACE");
   }
-  if (count_of(findings, "MISSING_STROKE") > 0)
-    return {QObject::tr("Closed, but a stroke is missing at a corner"), false,
-            strokes_with(findings, "MISSING_STROKE")};
-  if (count_of(findings, "PATCH_FOLDED") > 0)
-    return {QObject::tr("Closed, but a face is folded"), false, strokes_with(findings, "PATCH_FOLDED")};
+  if (has("MISSING_STROKE")) return doubt(QObject::tr("Closed, but a stroke is missing at a corner"), "MISSING_STROKE");
+  if (has("PATCH_FOLDED")) return doubt(QObject::tr("Closed, but a face is folded"), "PATCH_FOLDED");
   const std::vector<std::string> contrary = strokes_with(findings, "CONTRADICTION");
   if (contrary.size() == 1) return {QObject::tr("Closed, but one stroke contradicts the others"), false, contrary};
   if (!contrary.empty())
@@ -224,31 +249,18 @@ SolidState doubt_about(const PerspectiveDrawing& drawing, const PerspectiveResul
                              : QObject::tr("Closed, but %1 edges are left out").arg(left.size()),
             false, left};
   }
-  if (count_of(findings, "DISCONNECTED") > 0)
-    return {QObject::tr("Closed, but nothing ties its parts together"), false, strokes_with(findings, "DISCONNECTED")};
-  if (!result.alternatives.empty())
-    return {QObject::tr("Closed, but other faces fit as well"), false, strokes_with(findings, "AMBIGUOUS")};
+  if (has("DISCONNECTED")) return doubt(QObject::tr("Closed, but nothing ties its parts together"), "DISCONNECTED");
+  if (!result.alternatives.empty()) return doubt(QObject::tr("Closed, but other faces fit as well"), "AMBIGUOUS");
   return {};
 }
 
 constexpr double chip_margin = 10;  // logical pixels
 constexpr double hint_width = 620;
-constexpr const char* open_style =
-    "QToolButton { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px; padding: 2px 9px"
-    "} QToolButton:hover { background: #ffe2a8 }";
-constexpr const char* closed_style =
-    "QToolButton { background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px; padding: 2px 9px"
-    "}";
 constexpr const char* sheet_button_style =
     "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 9px;"
     " padding: 2px 9px }"
     "QToolButton:hover { background: #ffe2c2 }"
     "QToolButton:checked { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10 }";
-
-QPointF sheet_to_widget(const ViewPane& pane, const Vec2& sheet) {
-  const Vec2 pixel = pane.sketch_frame().to_pixel({sheet.x(), -sheet.y()});
-  return pane.rect.topLeft() + QPointF(pixel.x(), pixel.y());
-}
 
 /// Parted at the blank nearest to the middle.
 QString on_two_lines(QString sentence) {
@@ -260,33 +272,18 @@ QString on_two_lines(QString sentence) {
 
 }  // namespace
 
-FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternative& alternative) {
-  return {without(alternative.faces, result.faces), without(result.faces, alternative.faces)};
-}
-
-std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces) {
-  std::vector<std::string> names;
-  for (const PerspectiveFace& face : faces) {
-    std::string name;
-    for (const std::string& stroke : strokes_of_face(face)) name += (name.empty() ? "" : "+") + stroke;
-    names.push_back(std::move(name));
-  }
-  return names;
-}
+AlternativeChips::AlternativeChips(Sheet& sheet) : sheet_(sheet), chips_(sheet.host.viewport()) {}
 
 void AlternativeChips::make_button() {
   const std::size_t number = buttons_.size();
-  auto* button = new QToolButton(&sheet_.host.viewport());
-  button->setObjectName(QString("perspective-alternative-%1").arg(number + 1));
-  button->setText(number == 0 ? tr("Other faces 1") : QString::number(number + 1));
-  button->setToolTip(tr("These faces fit as well: the hatched ones instead of the dashed ones"));
-  button->setFocusPolicy(Qt::NoFocus);
-  button->setStyleSheet(alternative_style);
-  button->installEventFilter(this);
-  connect(button, &QToolButton::clicked, this, [this, number] {
+  const QString name = QString("perspective-alternative-%1").arg(number + 1);
+  QToolButton* button = chips_.button(name, alternative_style, [this, number] {
     set_hovered(std::nullopt);
     take_alternative(sheet_, number);
   });
+  button->setText(number == 0 ? tr("Other faces 1") : QString::number(number + 1));
+  button->setToolTip(tr("These faces fit as well: the hatched ones instead of the dashed ones"));
+  button->installEventFilter(this);
   buttons_.push_back(button);
 }
 
@@ -298,20 +295,13 @@ void AlternativeChips::place(ChipPlaces& places, const ViewPane& pane, std::size
     width += buttons_[i]->width() + between_alternatives;
   }
   double left = pane.rect.center().x() - width / 2;
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    if (i >= count) {
-      buttons_[i]->hide();
-      continue;
-    }
-    places.put(*buttons_[i], QPointF(left, pane.rect.top() + alternatives_top), pane.rect);
+  chips_.begin(places);
+  for (std::size_t i = 0; i < count; ++i) {
+    chips_.put(*buttons_[i], QPointF(left, pane.rect.top() + alternatives_top), pane.rect);
     left += buttons_[i]->width() + between_alternatives;
   }
+  chips_.end();
   if (hovered_ && *hovered_ >= count) set_hovered(std::nullopt);
-}
-
-void AlternativeChips::hide() {
-  for (QToolButton* button : buttons_) button->hide();
-  set_hovered(std::nullopt);
 }
 
 void AlternativeChips::add_to(render::Scene& scene, bool on_sheet) const {
@@ -348,11 +338,6 @@ SolidState solid_state(const PerspectiveDrawing& drawing, const PerspectiveResul
   return {QObject::tr("Solid closed"), true, {}};
 }
 
-bool is_of_unfinished(const Finding& finding) {
-  constexpr std::array codes{"DANGLING", "NOT_CLOSED", "DISCONNECTED"};
-  return std::ranges::find(codes, finding.code) != codes.end();
-}
-
 PerspectiveChips::PerspectiveChips(Sheet& sheet)
     : sheet_(sheet),
       alternatives_(sheet),
@@ -373,14 +358,15 @@ void PerspectiveChips::place(ChipPlaces& places, bool shown) {
   chips_.begin(places);
   const ViewPane& pane = places.layout().pane(SketchView);
   const PerspectiveResult* result = sheet_.result();
-  if (shown && pane.visible()) {
+  const bool on_sheet = shown && pane.visible();
+  if (on_sheet) {
     place_hint(pane.rect);
     place_faces(pane.rect);
-    alternatives_.place(places, pane, result == nullptr ? 0 : result->alternatives.size());
+  }
+  alternatives_.place(places, pane, on_sheet && result != nullptr ? result->alternatives.size() : 0);
+  if (on_sheet) {
     place_fix(pane);
     place_mirror(pane.rect);
-  } else {
-    alternatives_.hide();
   }
   if (shown) place_through(places.layout().pane(PerspectiveView));
   chips_.end();
@@ -399,7 +385,7 @@ void PerspectiveChips::place_faces(const QRectF& rect) {
   const PerspectiveResult* result = sheet_.result();
   if (result == nullptr || result->edge_strokes == 0) return;
   SolidState state = solid_state(sheet_.drawing(), *result, sheet_.findings());
-  const char* style = state.sound ? closed_style : open_style;
+  const char* style = state.sound ? sound_style : lacking_style;
   if (faces_->styleSheet() != style) faces_->setStyleSheet(style);
   faces_->setText(state.sentence);
   faces_->setToolTip(state.strokes.empty() ? QString() : QObject::tr("Click to see the strokes"));
@@ -419,7 +405,7 @@ void PerspectiveChips::place_fix(const ViewPane& pane) {
   fix_->setToolTip(localized(fix.text));
   fix_->setAccessibleName(fix_->toolTip());
   fix_->adjustSize();
-  chips_.put(*fix_, sheet_to_widget(pane, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);
+  chips_.put(*fix_, widget_place(sheet_, middle_of_stroke(*stroke)) + QPointF(14, 10), pane.rect);
 }
 
 void PerspectiveChips::place_mirror(const QRectF& rect) {

@@ -19,18 +19,6 @@ class QLabel;
 
 namespace croquis::app {
 
-// Sets of faces that would close a solid, too: how each differs from the one that is shown.
-
-struct FaceDifference {
-  std::vector<PerspectiveFace> added;    ///< in the other set alone
-  std::vector<PerspectiveFace> removed;  ///< in the one shown alone
-};
-
-FaceDifference difference_of(const PerspectiveResult& result, const FaceAlternative& alternative);
-
-/// "s1+s2+s3": as the operation's lists name faces.
-std::vector<std::string> names_of(const std::vector<PerspectiveFace>& faces);
-
 /// A button for each other set of faces that fits a drawing as well: under the pointer it is shown, clicked it is
 /// taken.
 class AlternativeChips : public QObject {
@@ -38,11 +26,10 @@ class AlternativeChips : public QObject {
 
  public:
   /// They stand on the views.
-  explicit AlternativeChips(Sheet& sheet) : sheet_(sheet) {}
+  explicit AlternativeChips(Sheet& sheet);
 
   /// @param count of other sets, 0: none
   void place(ChipPlaces& places, const ViewPane& pane, std::size_t count);
-  void hide();
 
   /// What the one under the pointer would change. @param on_sheet on the sheet, else in space
   void add_to(render::Scene& scene, bool on_sheet) const;
@@ -58,6 +45,7 @@ class AlternativeChips : public QObject {
   void set_hovered(std::optional<std::size_t> alternative);
 
   Sheet& sheet_;
+  ChipSet chips_;
   std::vector<QToolButton*> buttons_;
   std::optional<std::size_t> hovered_;
 };
@@ -71,10 +59,6 @@ struct SolidState {
 
 /// @param drawing that the result was found in, or a newer one
 SolidState solid_state(const PerspectiveDrawing& drawing, const PerspectiveResult& result, const Findings& findings);
-
-/// What any unfinished drawing has: ends that lead nowhere, edges without a face, parts that nothing ties together.
-/// Worth a small mark while somebody draws, but no warning sign.
-bool is_of_unfinished(const Finding& finding);
 
 /// What stands over the views of a perspective drawing: how far it is a solid, the change that is proposed, the mirror,
 /// and the way back to the drawing's eye.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/finding_elements.h"
 #include "app/views/viewport.h"
 #include "app/window/panel_docks.h"
 #include "croquis/tools/perspective/axis_guess.h"
@@ -274,7 +273,7 @@ void PerspectiveDrawingTool::follow(Change change) {
 }
 
 void PerspectiveDrawingTool::follow_document() {
-  if (!pen_.down()) sheet_.tool.set_node(studio().sheet_node());
+  if (!down()) sheet_.tool.set_node(studio().sheet_node());
   if (!sheet_.is_there()) return;
   const PerspectiveDrawing& drawing = sheet_.drawing();
   sheet_.scene.show_drawing(drawing, sheet_.tool.selected(), sheet_.tool.mode() == PerspectiveMode::Select);

@@ -5,6 +5,8 @@
 #include "app/tools/perspective/sheet.h"
 #include "app/tools/tool.h"
 
+class QDockWidget;
+
 namespace croquis::app {
 
 /// Drawings in perspective: lines towards vanishing points and edges become a camera and a solid.

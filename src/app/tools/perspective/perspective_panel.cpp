@@ -18,6 +18,7 @@
 #include "app/window/language.h"
 #include "app/window/theme.h"
 #include "croquis/tools/perspective/sheet_units.h"
+#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -40,6 +41,24 @@ constexpr std::size_t most_lines = 60;
 
 /// 0 as a number says that nothing is known.
 std::optional<double> known_number(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
+
+/// The value of a parameter of the operation that the drawing goes to; none where it has none of its own.
+template <typename T>
+std::optional<T> sheet_parameter(const Sheet& sheet, const std::string& name) {
+  const Node* operation = sheet.host.studio().session().document().find(sheet.tool.operation_node());
+  if (operation == nullptr || !operation->parameters.contains(name)) return std::nullopt;
+  const T* value = std::get_if<T>(&operation->parameters.at(name));
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+/// One undo step, recorded.
+void set_sheet_parameter(Sheet& sheet, const std::string& name, const ParameterValue& value) {
+  const NodeId node = sheet.tool.operation_node();
+  if (node == 0) return;
+  sheet.host.studio().set_parameter(node, name, value, false);
+  const Node* edited = sheet.host.studio().session().document().find(node);
+  if (edited != nullptr) sheet.host.record(recorded::Set{edited->name, name, value});
+}
 
 QString camera_words(const Sheet& sheet) {
   const PerspectiveResult* result = sheet.result();
@@ -100,15 +119,13 @@ void add_camera(Panel& panel, Sheet& sheet) {
   field->setSpecialValueText(Panel::tr("not known"));
   field->setSuffix(QStringLiteral("°"));
   panel.row({panel.label(Panel::tr("Field of view")), field});
-  auto* overlay = new QSlider(Qt::Horizontal, &panel);
-  overlay->setObjectName("perspective-overlay");
-  overlay->setRange(0, 100);
-  overlay->setValue(60);
-  overlay->setToolTip(Panel::tr("How strongly the drawing is seen over the solid while you look through it"));
-  QObject::connect(overlay, &QSlider::valueChanged, &panel, [&sheet](int percent) {
-    sheet.overlay = percent / 100.0;
-    emit sheet.owner.changed(PerspectiveView);
-  });
+  QSlider* overlay = panel.slider(
+      "perspective-overlay", 0, 100, [&sheet] { return static_cast<int>(std::lround(100 * sheet.overlay)); },
+      [&sheet](int percent, bool) {
+        sheet.overlay = percent / 100.0;
+        emit sheet.owner.changed(PerspectiveView);
+      },
+      Panel::tr("How strongly the drawing is seen over the solid while you look through it"));
   panel.row({panel.label(Panel::tr("Drawing over the solid")), overlay});
 }
 
@@ -146,12 +163,11 @@ void add_sheet(Panel& panel, Sheet& sheet) {
 }
 
 void add_known_point(Panel& panel, Sheet& sheet) {
-  auto* pick = new QPushButton(Panel::tr("Known point"), &panel);
-  pick->setObjectName("perspective-pick-point");
+  QPushButton* pick = panel.button(
+      "perspective-pick-point", Panel::tr("Known point"),
+      Panel::tr("Click a corner of the drawing whose coordinates are known and type them (K)"),
+      [&sheet] { app::pick(sheet, sheet.picks == SheetPick::Point ? SheetPick::None : SheetPick::Point); });
   pick->setCheckable(true);
-  pick->setToolTip(Panel::tr("Click a corner of the drawing whose coordinates are known and type them (K)"));
-  QObject::connect(pick, &QPushButton::clicked, &panel,
-                   [&sheet](bool on) { app::pick(sheet, on ? SheetPick::Point : SheetPick::None); });
   auto* forget = new QToolButton(&panel);
   forget->setText(QStringLiteral("✕"));
   forget->setObjectName("perspective-forget-point");

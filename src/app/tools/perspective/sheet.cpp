@@ -9,7 +9,6 @@
 #include "app/tools/perspective/perspective_chips.h"
 #include "app/views/viewport.h"
 #include "croquis/tools/perspective/perspective_steps.h"
-#include "croquis/tools/recording/general_steps.h"
 
 namespace croquis::app {
 namespace {
@@ -130,14 +129,6 @@ bool Sheet::looks_through() const {
   return is_there() && host.views().through == host.studio().sheet_node() && result() != nullptr;
 }
 
-void set_sheet_parameter(Sheet& sheet, const std::string& name, const ParameterValue& value) {
-  const NodeId node = sheet.tool.operation_node();
-  if (node == 0) return;
-  sheet.host.studio().set_parameter(node, name, value, false);
-  const Node* edited = sheet.host.studio().session().document().find(node);
-  if (edited != nullptr) sheet.host.record(recorded::Set{edited->name, name, value});
-}
-
 void pick(Sheet& sheet, SheetPick wanted) {
   sheet.picks = wanted;
   sheet.owner.refresh();
@@ -161,15 +152,6 @@ void apply_fix(Sheet& sheet) {
   StrokeSetting setting;
   setting.group = fix.group;
   sheet.host.attempt([&] { sheet.take(recorded::SheetSetting{{fix.stroke}, setting}); });
-}
-
-void take_alternative(Sheet& sheet, std::size_t alternative) {
-  const PerspectiveResult* result = sheet.result();
-  if (result == nullptr || alternative >= result->alternatives.size()) return;
-  const FaceDifference difference = difference_of(*result, result->alternatives[alternative]);
-  sheet.host.attempt([&] {
-    sheet.take(recorded::SheetFaces{names_of(difference.added), names_of(difference.removed)});
-  });
 }
 
 void propose_mirror(Sheet& sheet, bool wanted) {

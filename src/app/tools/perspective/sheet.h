@@ -80,18 +80,6 @@ struct Sheet {
   double overlay = 0.6;                     ///< opacity of the drawing over the solid, 0: none
 };
 
-/// The value of a parameter of the operation that the drawing goes to; none where it has none of its own.
-template <typename T>
-std::optional<T> sheet_parameter(const Sheet& sheet, const std::string& name) {
-  const Node* operation = sheet.host.studio().session().document().find(sheet.tool.operation_node());
-  if (operation == nullptr || !operation->parameters.contains(name)) return std::nullopt;
-  const T* value = std::get_if<T>(&operation->parameters.at(name));
-  return value == nullptr ? std::nullopt : std::optional(*value);
-}
-
-/// One undo step, recorded.
-void set_sheet_parameter(Sheet& sheet, const std::string& name, const ParameterValue& value);
-
 /// The actions of menus, keys and buttons, and which of them are enabled and checked now.
 void add_sheet_actions(Sheet& sheet, ActionList& actions, ToolKeys& keys);
 void refresh_sheet_actions(const Sheet& sheet);
@@ -106,6 +94,9 @@ void add_sheet_replays(Replays& replays, Sheet& sheet);
 
 void pick(Sheet& sheet, SheetPick wanted);
 
+/// Where a place of the sheet is seen, in the views' pixels.
+QPointF widget_place(const Sheet& sheet, const Vec2& at);
+
 /// Asks at the pen for the point at a place of the sheet, or for the length of a stroke.
 void ask_point(Sheet& sheet, const Vec2& at);
 void ask_length(Sheet& sheet, const std::string& stroke);
@@ -116,9 +107,6 @@ void look_through(Sheet& sheet, bool on);
 
 /// Makes the first change that is proposed.
 void apply_fix(Sheet& sheet);
-
-/// Takes another set of faces, by its number.
-void take_alternative(Sheet& sheet, std::size_t alternative);
 
 void propose_mirror(Sheet& sheet, bool wanted);
 void complete_mirrored(Sheet& sheet);

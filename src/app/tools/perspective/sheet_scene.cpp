@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "app/tools/perspective/perspective_chips.h"
 #include "app/window/language.h"
 #include "app/window/theme.h"
 
@@ -20,6 +19,27 @@ std::vector<std::vector<Vec2>> letter(int axis) {
   if (axis == 0) return {{{-0.3, -0.4}, {0.3, 0.4}}, {{-0.3, 0.4}, {0.3, -0.4}}};
   if (axis == 1) return {{{-0.3, 0.4}, {0, 0}, {0.3, 0.4}}, {{0, 0}, {0, -0.4}}};
   return {{{-0.3, 0.4}, {0.3, 0.4}, {-0.3, -0.4}, {0.3, -0.4}}};
+}
+
+/// The letter as polylines in a square of side 1 about (0, 0), y up; planes have a frame around theirs.
+std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
+  if (group == StrokeGroup::Unknown)
+    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
+  auto glyph = letter(axis_of(group));
+  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
+  return glyph;
+}
+
+/// Lines along an axis are solid, dashed or dash-dotted; those in planes are dotted with their axis' rhythm.
+render::DashPattern group_dashes(StrokeGroup group) {
+  switch (group) {
+    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
+    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
+    case StrokeGroup::NormalX: return {24, 3, 0, 0};
+    case StrokeGroup::NormalY: return {8, 4, 0, 0};
+    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
+    default: return {};
+  }
 }
 
 constexpr double edge_width = 2.4, hidden_width = 1.3, construction_width = 1.1;  // logical pixels
@@ -51,6 +71,13 @@ std::optional<Vec2> finite_place(const Vec3& vanishing, const PerspectiveDrawing
   const Vec2 place = vanishing.head<2>() / vanishing.z();
   if ((place - drawing.centre()).norm() > far_diagonals * drawing.diagonal()) return std::nullopt;
   return place;
+}
+
+/// What any unfinished drawing has: ends that lead nowhere, edges without a face, parts that nothing ties together.
+/// Worth a small mark while somebody draws, but no warning sign.
+bool is_of_unfinished(const Finding& finding) {
+  constexpr std::array codes{"DANGLING", "NOT_CLOSED", "DISCONNECTED"};
+  return std::ranges::find(codes, finding.code) != codes.end();
 }
 
 /// Where a finding stands: its own place, else its first stroke's middle.
@@ -99,6 +126,27 @@ constexpr double letter_room = 17;    // between the middles of two letters
 constexpr double least_lettered = 32;
 constexpr double letter_width = 1.4, letter_casing_width = 4.5;
 
+/// The letters with the sheet's colour around them, so that they are read over strokes and pictures of any colour.
+std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit) {
+  std::map<StrokeGroup, std::vector<render::LinePath>> by_group;
+  std::vector<render::LinePath> casing;
+  for (const GroupLetter& letter : letters) {
+    for (const std::vector<Vec2>& part : group_glyph(letter.group)) {
+      casing.push_back(path_of(part, [&](const Vec2& place) {
+        return on_sketch_plane(letter.at) + letter_pixels * unit * on_plane(place);
+      }));
+      by_group[letter.group].push_back(casing.back());
+    }
+  }
+  std::vector<render::LineItemPtr> items;
+  if (casing.empty()) return items;
+  items.push_back(render::make_line_item(casing, {letter_casing_width, to_color(colors::paper, 220), {}}));
+  for (const auto& [group, paths] : by_group) {
+    items.push_back(render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}}));
+  }
+  return items;
+}
+
 /// Along a stroke, the middle first.
 constexpr std::array letter_places{0.5, 0.36, 0.64, 0.22, 0.78};
 
@@ -129,17 +177,6 @@ QColor group_color(StrokeGroup group) {
   return made[static_cast<std::size_t>(group)];
 }
 
-render::DashPattern group_dashes(StrokeGroup group) {
-  switch (group) {
-    case StrokeGroup::ParallelY: return {14, 5, 0, 0};
-    case StrokeGroup::ParallelZ: return {14, 4, 1, 4};
-    case StrokeGroup::NormalX: return {24, 3, 0, 0};
-    case StrokeGroup::NormalY: return {8, 4, 0, 0};
-    case StrokeGroup::NormalZ: return {1, 5, 0, 0};
-    default: return {};
-  }
-}
-
 QString group_letter(StrokeGroup group) {
   if (group == StrokeGroup::Unknown) return QStringLiteral("?");
   const QString axis(QStringLiteral("xyz").at(axis_of(group)));
@@ -158,14 +195,6 @@ QString group_title(StrokeGroup group) {
   const QString axis(QStringLiteral("xyz").at(axis_of(group)));
   return is_parallel(group) ? QObject::tr("Parallel to %1").arg(axis)
                             : QObject::tr("In a plane across %1, on a %2 face").arg(axis, group_words(group));
-}
-
-std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group) {
-  if (group == StrokeGroup::Unknown)
-    return {{{-0.25, 0.2}, {-0.1, 0.4}, {0.2, 0.35}, {0.2, 0.1}, {0, -0.05}, {0, -0.2}}, {{0, -0.38}, {0, -0.42}}};
-  auto glyph = letter(axis_of(group));
-  if (!is_parallel(group)) glyph.push_back({{-0.6, -0.7}, {0.6, -0.7}, {0.6, 0.7}, {-0.6, 0.7}, {-0.6, -0.7}});
-  return glyph;
 }
 
 /// Lightness falls evenly, so that the order is seen with any colour vision.
@@ -209,8 +238,7 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
                               bool points) {
   strokes_ = stroke_items(drawing, on_sketch_plane, 1);
   const std::vector<Vec2> corners = corners_of_box(drawing.origin, drawing.origin + drawing.image_size);
-  sheet_ =
-      lines_of({path_of(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  sheet_ = lines_of({path_of(corners, on_sketch_plane, true)}, {1, to_color(colors::guide), {}});
   bounds_ = sheet_->bounds;
   for (const PerspectiveStroke& stroke : drawing.strokes) {
     if (!is_drawable(stroke)) continue;
@@ -229,7 +257,7 @@ void SheetScene::show_drawing(const PerspectiveDrawing& drawing, const std::vect
                                    joint ? 8 : 7, colors::accent));
     }
   }
-  selected_ = lines_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}, render::LineDepth::OnTop});
+  selected_ = lines_of(chosen, {edge_width + 4, to_color(colors::accent, 90), {}});
   points_ = marks_of(anchors);
   std::vector<render::Mark> dots;
   for (const Vec2& place : vertices_of(drawing)) {
@@ -255,7 +283,7 @@ void SheetScene::show_residuals(const PerspectiveDrawing& drawing, const Perspec
     heat.push_back(sheet_path(*stroke, on_sketch_plane));
     for (render::LinePoint& point : heat.back().points) point.color = to_color(residual_color(*one.residual), 150);
   }
-  residuals_ = lines_of(heat, {edge_width + 7, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  residuals_ = lines_of(heat, {edge_width + 7, to_color(colors::warning), {}});
 }
 
 void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const PerspectiveResult* result) {
@@ -271,7 +299,7 @@ void SheetScene::show_vanishing_points(const PerspectiveDrawing& drawing, const 
   }
   if (places[0] && places[1]) horizon.push_back(path_of(std::array{*places[0], *places[1]}, on_sketch_plane));
   vanishing_ = marks_of(handles);
-  horizon_ = lines_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}, render::LineDepth::OnTop});
+  horizon_ = lines_of(horizon, {1, to_color(colors::guide), {8, 5, 0, 0}});
 }
 
 void SheetScene::show_findings(const PerspectiveDrawing& drawing, const Findings& findings) {
@@ -300,11 +328,11 @@ void SheetScene::show_preview(const PerspectiveDrawing& drawing, const Perspecti
     if (const PerspectiveStroke* stroke = find_stroke(drawing, id))
       paths.push_back(sheet_path(*stroke, on_sketch_plane));
   }
-  render::LineStyle style{edge_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  render::LineStyle style{edge_width + 1, to_color(colors::error), {}};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
     paths.push_back(path_of(corners_of_box(low, high), on_sketch_plane, true));
-    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}};
   }
   preview_ = lines_of(paths, style);
   snap_ = preview.snap ? marks_of({sheet_mark(*preview.snap, render::MarkShape::Ring, 16, colors::hover)}) : nullptr;
@@ -314,14 +342,13 @@ void SheetScene::show_hovered(const PerspectiveDrawing& drawing, const std::opti
   const PerspectiveStroke* stroke = id ? find_stroke(drawing, *id) : nullptr;
   hovered_.reset();
   if (stroke == nullptr || !is_drawable(*stroke)) return;
-  hovered_ = lines_of({sheet_path(*stroke, on_sketch_plane)},
-                      {edge_width + 3, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = lines_of({sheet_path(*stroke, on_sketch_plane)}, {edge_width + 3, to_color(colors::hover, 120), {}});
 }
 
 void SheetScene::show_proposed(const std::vector<PerspectiveStroke>& strokes) {
   std::vector<render::LinePath> paths;
   for (const PerspectiveStroke& stroke : strokes) paths.push_back(sheet_path(stroke, on_sketch_plane));
-  proposed_ = lines_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}, render::LineDepth::OnTop});
+  proposed_ = lines_of(paths, {edge_width, to_color(colors::hover), {3, 5, 0, 0}});
 }
 
 void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array<std::optional<Vec3>, 3>& vanishing,
@@ -337,7 +364,7 @@ void SheetScene::show_guides(const PerspectiveDrawing& drawing, const std::array
     const render::Color color = to_color(group_color(static_cast<StrokeGroup>(axis)), 90);
     for (render::LinePoint& end : rays.back().points) end.color = color;
   }
-  guides_ = lines_of(rays, {1, to_color(colors::guide), {}, render::LineDepth::OnTop});
+  guides_ = lines_of(rays, {1, to_color(colors::guide), {}});
 }
 
 void SheetScene::add_to(render::Scene& scene, const PerspectiveDrawing& drawing, double units_per_pixel) const {
@@ -358,31 +385,6 @@ std::vector<GroupLetter> group_letters(const PerspectiveDrawing& drawing, double
     }
   }
   return letters;
-}
-
-std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit) {
-  std::map<StrokeGroup, std::vector<render::LinePath>> by_group;
-  std::vector<render::LinePath> casing;
-  for (const GroupLetter& letter : letters) {
-    for (const std::vector<Vec2>& part : group_glyph(letter.group)) {
-      render::LinePath path;
-      for (const Vec2& place : part) {
-        path.points.push_back(
-            {on_sketch_plane(letter.at) + letter_pixels * unit * glm::dvec3(place.x(), place.y(), 0), 1, {}});
-      }
-      casing.push_back(path);
-      by_group[letter.group].push_back(std::move(path));
-    }
-  }
-  std::vector<render::LineItemPtr> items;
-  if (casing.empty()) return items;
-  items.push_back(render::make_line_item(
-      casing, {letter_casing_width, to_color(colors::paper, 220), {}, render::LineDepth::OnTop}));
-  for (const auto& [group, paths] : by_group) {
-    items.push_back(
-        render::make_line_item(paths, {letter_width, to_color(group_color(group)), {}, render::LineDepth::OnTop}));
-  }
-  return items;
 }
 
 }  // namespace croquis::app

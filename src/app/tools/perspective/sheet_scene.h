@@ -23,18 +23,12 @@ namespace croquis::app {
 
 QColor group_color(StrokeGroup group);
 
-/// Lines along an axis are solid, dashed or dash-dotted; those in planes are dotted with their axis' rhythm.
-render::DashPattern group_dashes(StrokeGroup group);
-
 /// "x", "y", "z", "⊥x", "⊥y", "⊥z", "?".
 QString group_letter(StrokeGroup group);
 QString group_words(StrokeGroup group);  ///< "x", "left" …: what stands on a button
 
 /// "Parallel to x" … "In a plane across z".
 QString group_title(StrokeGroup group);
-
-/// The letter as polylines in a square of side 1 about (0, 0), y up; planes have a frame around theirs.
-std::vector<std::vector<Vec2>> group_glyph(StrokeGroup group);
 
 /// From pale yellow over orange to dark red, the worse the darker. @param px how far a line misses its vanishing point
 QColor residual_color(double px);
@@ -101,8 +95,5 @@ struct GroupLetter {
 /// construction lines before edges. O(#letters²), 60 strokes in well under a millisecond.
 /// @param unit px of the sheet per logical pixel of the view, > 0
 std::vector<GroupLetter> group_letters(const PerspectiveDrawing& drawing, double unit);
-
-/// The letters with the sheet's colour around them, so that they are read over strokes and pictures of any colour.
-std::vector<render::LineItemPtr> letter_items(const std::vector<GroupLetter>& letters, double unit);
 
 }  // namespace croquis::app

@@ -7,12 +7,11 @@
 #include <map>
 #include <set>
 
-#include "app/panels/finding_elements.h"
 #include "app/replay/replays.h"
+#include "app/tools/action_rows.h"
 #include "app/tools/scene_parts.h"
 #include "app/views/own_space.h"
 #include "app/views/render_color.h"
-#include "app/window/action_list.h"
 #include "app/window/theme.h"
 #include "croquis/operators/inflate_result.h"
 #include "croquis/silhouette/stroke_data.h"
@@ -46,11 +45,9 @@ std::size_t held_pairs(const InflateResult& inflated, silhouette::Hold hold) {
   return count_of(inflated.attached, [hold](const silhouette::SolidAttachment& pair) { return pair.hold == hold; });
 }
 
-/// The bodies of the solid that the object's second node is.
-std::vector<Body> bodies_in(const Studio& studio, const WorkObject& object, const Drawing& drawing) {
-  if (object.chain.size() < 2) return {};
-  const auto result = studio.result(object.chain[1]);
-  return bodies_of(drawing, result.get());
+/// The result of the solid that the object's second node is, or null.
+std::shared_ptr<const Evaluation> solid_in(const Studio& studio, const WorkObject& object) {
+  return object.chain.size() < 2 ? nullptr : studio.result(object.chain[1]);
 }
 
 QString joined(const std::vector<std::string>& texts) {
@@ -145,12 +142,12 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
       node == object.chain.front() ? source_of<Drawing>(studio.session().document().find(node)) : nullptr;
   std::vector<ObjectRow> rows;
   if (!drawing) return rows;
-  const auto result = object.chain.size() < 2 ? nullptr : studio.result(object.chain[1]);
+  const auto result = solid_in(studio, object);
   const InflateResult* inflated = result_of<InflateResult>(result.get());
   std::map<std::string, silhouette::StrokeKind> kinds;
   if (inflated != nullptr) kinds.insert(inflated->kinds.begin(), inflated->kinds.end());
   std::set<std::string> used;
-  for (const Body& body : bodies_in(studio, object, *drawing)) {
+  for (const Body& body : bodies_of(*drawing, result.get())) {
     rows.push_back(row_of(body));
     rows.back().rename = [rename, stroke = body.strokes.front()](const std::string& title) { rename(stroke, title); };
     used.insert(body.strokes.begin(), body.strokes.end());
@@ -177,12 +174,9 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions)
   add_plane("add-sketch", tr("Seen from the front"), {QKeySequence("Ctrl+Shift+N")}, {});
   add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
   add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
-  const auto add_mode = [&](MenuId menu, const QString& mode, const QString& text, const QString& key) {
-    actions.add_mode(actions.menu(menu), mode, text, key, [&host, mode] { host.set_mode(mode); });
-  };
-  add_mode(MenuId::Sketch, "draw", tr("Draw"), "D");
-  add_mode(MenuId::Sketch, "erase", tr("Erase"), "X");
-  add_mode(MenuId::Select, select_mode, tr("Select and reshape"), "Q");
+  add_mode(host, actions, MenuId::Sketch, "draw", tr("Draw"), "D");
+  add_mode(host, actions, MenuId::Sketch, "erase", tr("Erase"), "X");
+  add_mode(host, actions, MenuId::Select, select_mode, tr("Select and reshape"), "Q");
   QMenu* sketch = actions.menu(MenuId::Sketch);
   actions.add(sketch, "join-limbs", tr("Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
   actions.add(
@@ -226,9 +220,9 @@ void SilhouetteTool::refresh() {
 void SilhouetteTool::set_mode(const QString& mode) {
   Tool::set_mode(mode);
   tool_.set_mode(sketch_mode(mode));
-  PenOptions options = pen_.input().options();
+  PenOptions options = input_.options();
   options.right_draws = tool_.mode() == SketchMode::Draw;
-  pen_.input().set_options(options);
+  input_.set_options(options);
   studio().hold_results(inking());
   scene_.show_hovered(std::nullopt, studio().drawing());
   scene_.show_drawing(studio(), tool_);
@@ -331,7 +325,7 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
 void SilhouetteTool::follow(Change change) {
   if (change != Change::Document && change != Change::Result) return;
   if (change == Change::Document) {
-    if (!pen_.down()) tool_.set_node(studio().drawing_node());
+    if (!down()) tool_.set_node(studio().drawing_node());
     scene_.show_preview(tool_.preview());
   } else {
     scene_.show_result(studio());
@@ -424,7 +418,7 @@ QString SilhouetteTool::owner_of(const NodeFinding& found) const {
   const auto drawing =
       object == nullptr ? nullptr : source_of<Drawing>(studio().session().document().find(object->chain.front()));
   if (!drawing) return {};
-  const std::vector<Body> bodies = bodies_in(studio(), *object, *drawing);
+  const std::vector<Body> bodies = bodies_of(*drawing, solid_in(studio(), *object).get());
   if (bodies.size() < 2 && studio().objects().size() < 2) return {};
   const Body* body = body_with(bodies, strokes_of(found.finding));
   return body == nullptr ? QString() : body->name;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -29,22 +30,19 @@ constexpr int chip_icon_size = 14;
 constexpr int number_decimals = 2;
 constexpr double number_step = 0.05;
 
-/// Background and border.
-const char* style_of(SketchChip::Look::Strength strength) {
-  switch (strength) {
-    case SketchChip::Look::Strength::Half:
-      return "QToolButton { background: #cfe0f7; color: #2b3f5c; border: 1px solid #4d7cba; border-radius: 11px;"
-             " padding: 0 3px; font-size: 12px } QToolButton:hover { background: #e2edfb }";
-    case SketchChip::Look::Strength::Full:
-      return "QToolButton { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10; border-radius: 11px;"
-             " padding: 0 3px; font-size: 12px } QToolButton:hover { background: #f7a552 }";
-    case SketchChip::Look::Strength::Warning:
-      return "QToolButton { background: #fff4df; color: #7a4a00; border: 2px dashed #d08a1e; border-radius: 11px;"
-             " padding: 0 3px; font-size: 12px } QToolButton:hover { background: #ffe2a8 }";
-    case SketchChip::Look::Strength::Plain: break;
-  }
-  return "QToolButton { background: white; color: #3c4654; border: 1px solid #7a8698; border-radius: 11px;"
-         " padding: 0 3px; font-size: 12px } QToolButton:hover { background: #ffe2c2 }";
+QString style_of(SketchChip::Look::Strength strength) {
+  struct Colors {
+    const char *background, *text, *border, *hovered;
+  };
+  static constexpr std::array<Colors, 4> by_strength{{{"white", "#3c4654", "1px solid #7a8698", "#ffe2c2"},
+                                                      {"#cfe0f7", "#2b3f5c", "1px solid #4d7cba", "#e2edfb"},
+                                                      {"#f28c28", "#1c1c1e", "1px solid #a85a10", "#f7a552"},
+                                                      {"#fff4df", "#7a4a00", "2px dashed #d08a1e", "#ffe2a8"}}};
+  const Colors& look = by_strength[static_cast<std::size_t>(strength)];
+  return QString(
+             "QToolButton { background: %1; color: %2; border: %3; border-radius: 11px; padding: 0 3px;"
+             " font-size: 12px } QToolButton:hover { background: %4 }")
+      .arg(look.background, look.text, look.border, look.hovered);
 }
 
 constexpr double above_outline = 20;           // logical pixels

@@ -61,9 +61,14 @@ Joint joint_of(const InflateResult& inflated, const AttachText& attach, bool is_
   return joint;
 }
 
-AttachText without(AttachText attach, const Joint& joint) {
-  std::erase_if(attach.pairs, [&](const AttachedPair& pair) { return names_pair(pair, joint.a, joint.b); });
-  return attach;
+/// The entry of a joint is taken out. @return it, or a new one
+AttachedPair take_entry(AttachText& attach, const Joint& joint) {
+  AttachedPair pair;
+  if (const AttachedPair* old = find_pair(attach, joint.a, joint.b)) pair = *old;
+  pair.a = joint.a;
+  pair.b = joint.b;
+  std::erase_if(attach.pairs, [&](const AttachedPair& other) { return names_pair(other, joint.a, joint.b); });
+  return pair;
 }
 
 using silhouette::StrokeKind;
@@ -176,25 +181,17 @@ Hold next_hold(Hold hold) {
 }
 
 AttachText with_hold(AttachText attach, const Joint& joint, Hold hold) {
-  const AttachedPair* old = find_pair(attach, joint.a, joint.b);
-  AttachedPair pair = old == nullptr ? AttachedPair() : *old;
-  pair.a = joint.a;
-  pair.b = joint.b;
+  AttachedPair pair = take_entry(attach, joint);
   pair.hold = hold;
   if (hold != Hold::Joined) pair.blend = AttachedPair().blend;
-  attach = without(std::move(attach), joint);
   if (hold != joint.by_itself) attach.pairs.push_back(std::move(pair));
   return attach;
 }
 
 AttachText with_blend(AttachText attach, const Joint& joint, double blend) {
-  const AttachedPair* old = find_pair(attach, joint.a, joint.b);
-  AttachedPair pair = old == nullptr ? AttachedPair() : *old;
-  pair.a = joint.a;
-  pair.b = joint.b;
+  AttachedPair pair = take_entry(attach, joint);
   pair.hold = Hold::Joined;
   pair.blend = std::clamp(blend, 0.0, 1.0);
-  attach = without(std::move(attach), joint);
   attach.pairs.push_back(std::move(pair));
   return attach;
 }
@@ -266,22 +263,19 @@ QString SketchChips::seam_step(const Joint& joint) const { return tr("Seam of %1
 
 ChipRow::Chip SketchChips::chip_of(const Joint& joint) const {
   const QString names = pair_name(joint);
+  const auto chip = [&](const char* icon, const QString& sentence, Strength strength) {
+    return ChipRow::Chip{joint.at, {icon, {}, sentence, strength}};
+  };
   if (joint.hold == Hold::Apart)
-    return {joint.at, {"joint-apart", {}, tr("Apart: %1 keep a gap. Click to rest one on the other").arg(names)}};
+    return chip("joint-apart", tr("Apart: %1 keep a gap. Click to rest one on the other").arg(names), Strength::Plain);
   if (joint.hold == Hold::Resting)
-    return {joint.at, {"joint-resting", {}, tr("Resting: %1 touch. Click to join them").arg(names), Strength::Half}};
+    return chip("joint-resting", tr("Resting: %1 touch. Click to join them").arg(names), Strength::Half);
   if (!joint.held)
-    return {joint.at,
-            {"joint-joined",
-             {},
-             tr("%1 couldn't be joined, see Findings. Click to keep them apart").arg(names),
-             Strength::Warning}};
-  return {joint.at,
-          {"joint-joined",
-           {},
-           tr("Joined: %1 are one body, seam radius %2. Click to keep them apart; drag, or right click, for the radius")
-               .arg(names, chip_text(joint.blend)),
-           Strength::Full}};
+    return chip("joint-joined", tr("%1 couldn't be joined, see Findings. Click to keep them apart").arg(names),
+                Strength::Warning);
+  const QString sentence =
+      tr("Joined: %1 are one body, seam radius %2. Click to keep them apart; drag, or right click, for the radius");
+  return chip("joint-joined", sentence.arg(names, chip_text(joint.blend)), Strength::Full);
 }
 
 ChipRow::Chip SketchChips::chip_of(const NestedStroke& nested) const {
@@ -289,34 +283,27 @@ ChipRow::Chip SketchChips::chip_of(const NestedStroke& nested) const {
   const QString sentence = nested.hole ? tr("Hole in %1. Click to make it a part in front")
                                        : tr("Part in front of %1. Click to make it a hole");
   const QString how = nested.chosen ? QString() : " " + tr("(read from the drawing)");
+  const Strength strength = nested.chosen ? Strength::Half : Strength::Plain;
   ChipRow::Chip chip{nested.at,
-                     {nested.hole ? "nested-hole" : "nested-part",
-                      {},
-                      sentence.arg(around) + how,
-                      nested.chosen ? Strength::Half : Strength::Plain}};
+                     {nested.hole ? "nested-hole" : "nested-part", {}, sentence.arg(around) + how, strength}};
   const Stroke* outline = find_stroke(studio_.drawing(), nested.stroke);
   return outline == nullptr ? chip : beside(std::move(chip), *outline, true);
 }
 
 ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
-  const QString sentence = tr("In front: %1. Behind: %2. Click to swap them");
-  return {crossing.at,
-          {"crossing-in-view",
-           {},
-           sentence.arg(name_of(crossing.front), name_of(crossing.behind)),
-           crossing.chosen ? Strength::Half : Strength::Plain}};
+  const QString names =
+      tr("In front: %1. Behind: %2. Click to swap them").arg(name_of(crossing.front), name_of(crossing.behind));
+  return {crossing.at, {"crossing-in-view", {}, names, crossing.chosen ? Strength::Half : Strength::Plain}};
 }
 
 ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
-  const bool left_out = read.kind == StrokeKind::Ignored && !read.chosen;
   const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
-  return {
-      read.at,
-      {"stroke-kind", word_of(read.kind),
-       tr("%1: %2. Click (with Q) to make it something else").arg(shown_name(read.stroke), word_of(read.kind)) + found,
-       left_out      ? Strength::Warning
-       : read.chosen ? Strength::Half
-                     : Strength::Plain}};
+  const QString word = word_of(read.kind);
+  const QString sentence = tr("%1: %2. Click (with Q) to make it something else").arg(shown_name(read.stroke), word);
+  const Strength strength = read.chosen                        ? Strength::Half
+                            : read.kind == StrokeKind::Ignored ? Strength::Warning
+                                                               : Strength::Plain;
+  return {read.at, {"stroke-kind", word, sentence + found, strength}};
 }
 
 /// A menu below the chip of what its stroke can be.

@@ -25,6 +25,39 @@ bool lies_on(const Vec2& place, const std::vector<Vec2>& line, double reach) {
   return false;
 }
 
+/// None for a result that isn't there, or has failed.
+CoveredStrokes covered_strokes(const Evaluation* solid) {
+  CoveredStrokes covered;
+  const InflateResult* inflated = result_of<InflateResult>(solid);
+  if (inflated == nullptr || solid->failed || inflated->crossings_in_view.empty()) return covered;
+  const auto labels = solid->outputs.find("labels");
+  if (labels == solid->outputs.end()) return covered;
+  for (const StrokesInView& crossing : inflated->crossings_in_view) covered.ids.push_back(crossing.behind);
+  Eigen::AlignedBox2d box;
+  const Drawing& arcs = labels->second.get<Drawing>();
+  for (std::size_t i = 0; i < inflated->arcs.size() && i < arcs.strokes.size(); ++i) {
+    std::vector<Vec2> line;
+    for (const StrokeSample& sample : arcs.strokes[i].samples) {
+      line.push_back(sample.position);
+      box.extend(sample.position);
+    }
+    if (inflated->arcs[i].depth > 0) covered.hidden.push_back(std::move(line));
+  }
+  covered.reach = box.isEmpty() ? 0 : reach_in_diagonals * box.diagonal().norm();
+  return covered;
+}
+
+/// Whether each sample of a stroke is covered; empty where none is.
+std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered) {
+  if (std::ranges::find(covered.ids, stroke.id) == covered.ids.end()) return {};
+  std::vector<bool> samples;
+  for (const StrokeSample& sample : stroke.samples) {
+    samples.push_back(std::ranges::any_of(
+        covered.hidden, [&](const std::vector<Vec2>& line) { return lies_on(sample.position, line, covered.reach); }));
+  }
+  return samples;
+}
+
 constexpr double other_width = 1.4;   // logical pixels
 constexpr int covered_strength = 70;  // of 255
 
@@ -67,7 +100,7 @@ render::LineItemPtr hidden_contours(const Labels& labels) {
     for (render::LinePoint& point : path.points) point.color = to_color(depth_color(labels.arcs[i].depth));
     paths.push_back(std::move(path));
   }
-  return lines_of(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}, render::LineDepth::OnTop});
+  return lines_of(paths, {1.8, to_color(colors::guide), {7, 5, 0, 0}});
 }
 
 std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResult& inflated) {
@@ -78,7 +111,7 @@ std::optional<Labels> labels_of(const Evaluation& evaluation, const InflateResul
 
 bool ends_at_corners(const Stroke& arc, const std::vector<Vec2>& corners) {
   const auto is_corner = [&](const Vec2& place) {
-    return std::any_of(corners.begin(), corners.end(), [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
+    return std::ranges::any_of(corners, [&](const Vec2& c) { return (c - place).norm() < 1e-3; });
   };
   return is_corner(arc.samples.front().position) && is_corner(arc.samples.back().position);
 }
@@ -116,53 +149,18 @@ std::optional<Vec2> place_of(const Finding& finding, const Drawing& drawing) {
   return std::nullopt;
 }
 
+/// The blob that a first stroke may trace.
 render::LineItemPtr ghost_item() {
-  return render::make_line_item(path_of(first_ghost(), on_plane, true),
-                                {3, to_color(colors::guide, 190), {3, 7, 0, 0}, render::LineDepth::OnTop});
-}
-
-}  // namespace
-
-CoveredStrokes covered_strokes(const Evaluation* solid) {
-  CoveredStrokes covered;
-  const InflateResult* inflated = result_of<InflateResult>(solid);
-  if (inflated == nullptr || solid->failed || inflated->crossings_in_view.empty()) return covered;
-  const auto labels = solid->outputs.find("labels");
-  if (labels == solid->outputs.end()) return covered;
-  for (const StrokesInView& crossing : inflated->crossings_in_view) covered.ids.push_back(crossing.behind);
-  Eigen::AlignedBox2d box;
-  const Drawing& arcs = labels->second.get<Drawing>();
-  for (std::size_t i = 0; i < inflated->arcs.size() && i < arcs.strokes.size(); ++i) {
-    std::vector<Vec2> line;
-    for (const StrokeSample& sample : arcs.strokes[i].samples) {
-      line.push_back(sample.position);
-      box.extend(sample.position);
-    }
-    if (inflated->arcs[i].depth > 0) covered.hidden.push_back(std::move(line));
-  }
-  covered.reach = box.isEmpty() ? 0 : reach_in_diagonals * box.diagonal().norm();
-  return covered;
-}
-
-std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered) {
-  if (std::ranges::find(covered.ids, stroke.id) == covered.ids.end()) return {};
-  std::vector<bool> samples;
-  for (const StrokeSample& sample : stroke.samples) {
-    samples.push_back(std::ranges::any_of(
-        covered.hidden, [&](const std::vector<Vec2>& line) { return lies_on(sample.position, line, covered.reach); }));
-  }
-  return samples;
-}
-
-std::vector<Vec2> first_ghost() {
   std::vector<Vec2> blob;
   for (int k = 0; k < 120; ++k) {
     const double angle = 2 * 3.14159265358979 * k / 120;
     const double radius = 150 * (1 + 0.16 * std::cos(2 * angle) + 0.08 * std::sin(3 * angle));
     blob.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
-  return blob;
+  return render::make_line_item(path_of(blob, on_plane, true), {3, to_color(colors::guide, 190), {3, 7, 0, 0}});
 }
+
+}  // namespace
 
 void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   const Drawing& drawing = studio.drawing();
@@ -180,11 +178,10 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
       anchors.push_back({on_plane(anchor.position), render::MarkShape::Square, 7, to_color(colors::accent)});
     }
   }
-  strokes_ = lines_of(plain, {ink_width, to_color(colors::ink), {}, render::LineDepth::OnTop});
-  selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  strokes_ = lines_of(plain, {ink_width, to_color(colors::ink), {}});
+  selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}});
   anchors_ = marks_of(anchors);
-  others_ =
-      lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}, render::LineDepth::OnTop});
+  others_ = lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}});
   const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
@@ -222,21 +219,20 @@ void SketchScene::show_result(const Studio& studio) {
 void SketchScene::show_preview(const SketchPreview& preview) {
   std::vector<render::LinePath> paths;
   for (const std::vector<Vec2>& piece : preview.erased) paths.push_back(path_of(piece, on_plane));
-  render::LineStyle style{ink_width + 1, to_color(colors::error), {}, render::LineDepth::OnTop};
+  render::LineStyle style{ink_width + 1, to_color(colors::error), {}};
   if (preview.box) {
     const auto& [low, high] = *preview.box;
     paths.push_back(path_of(corners_of_box(low, high), on_plane, true));
-    style = {1, to_color(colors::accent), {4, 3, 0, 0}, render::LineDepth::OnTop};
+    style = {1, to_color(colors::accent), {4, 3, 0, 0}};
   }
   preview_lines_ = lines_of(paths, style);
 }
 
 void SketchScene::show_hovered(const std::optional<std::string>& stroke, const Drawing& drawing) {
   const Stroke* found = stroke ? find_stroke(drawing, *stroke) : nullptr;
-  hovered_ = found == nullptr ? nullptr
-                              : render::make_line_item(
-                                    path_of_stroke(*found),
-                                    {ink_width + 2.5, to_color(colors::hover, 120), {}, render::LineDepth::OnTop});
+  hovered_ = found == nullptr
+                 ? nullptr
+                 : render::make_line_item(path_of_stroke(*found), {ink_width + 2.5, to_color(colors::hover, 120), {}});
 }
 
 void SketchScene::add_to(render::Scene& scene) const {

@@ -15,20 +15,13 @@
 
 namespace croquis::app {
 
-// What is covered of strokes that are drawn through behind others.
-
-/// Of a solid's result: the strokes that lie behind others which they cross in full view, and the hidden contours.
+/// What is covered of strokes that are drawn through behind others. Of a solid's result: the strokes that lie behind
+/// others which they cross in full view, and the hidden contours.
 struct CoveredStrokes {
   std::vector<std::string> ids;
   std::vector<std::vector<Vec2>> hidden;  ///< polylines, sketch units
   double reach = 0;                       ///< how far a covered line may lie from its contour, which is smoothed
 };
-
-/// None for a result that isn't there, or has failed.
-CoveredStrokes covered_strokes(const Evaluation* solid);
-
-/// Whether each sample of a stroke is covered; empty where none is.
-std::vector<bool> covered_samples(const Stroke& stroke, const CoveredStrokes& covered);
 
 /// What the sketch view shows of the studio's drawing, made ready for the renderer. Items are kept until what they
 /// show changes.
@@ -68,8 +61,5 @@ class SketchScene {
   CoveredStrokes covered_;
   std::vector<FindingMark> finding_marks_;
 };
-
-/// The blob that a first stroke may trace, closed, sketch units.
-std::vector<Vec2> first_ghost();
 
 }  // namespace croquis::app

@@ -11,8 +11,8 @@
 
 #include "app/panels/number_box.h"
 #include "app/replay/replays.h"
+#include "app/tools/action_rows.h"
 #include "app/views/viewport.h"
-#include "app/window/action_list.h"
 #include "app/window/language.h"
 #include "app/window/panel_docks.h"
 #include "croquis/base/error.h"
@@ -72,7 +72,108 @@ std::pair<double, double> dihedral_range(const WorkObject& object) {
   return {least, greatest};
 }
 
+// The subdivision of the active object, as keys and menus change it: an operation between its cage and what is seen,
+// so nothing is lost. Everything but what keys 1 to 3 show is one step of the history.
+
+/// Shows the cage, both, or the smooth surface; for all but the cage the object gets the operation if it has none.
+void show_smooth(Studio& studio, ChainView view) {
+  const WorkObject* object = studio.active();
+  if (object == nullptr || object->cage == 0) return;
+  NodeId node = object->node;
+  if (object->is_source()) {
+    if (view == ChainView::Cage) return;
+    const std::string label = "Smooth " + readable_name(object->name);
+    AddedNode added = with_step(studio.session().document(), studio.registry(), object->cage, smoothing_operation);
+    node = added.node;
+    studio.session().edit(label, std::move(added.document));
+    studio.set_active(node);
+  }
+  studio.set_view(node, view);
+}
+
+/// Nothing where there is no such operation.
+void set_smoothing(Studio& studio, const std::string& parameter, const ParameterValue& value) {
+  if (const Node* node = smoothing_node(studio)) studio.set_parameter(node->id, parameter, value, false);
+}
+
+/// One level finer or coarser, within what the operation allows.
+void change_level(Studio& studio, int by) {
+  const ParameterDescription* level = level_description(studio);
+  const int shown = shown_level(studio);
+  if (shown < 0) return;
+  const int finest = std::min(std::max(finest_shown, shown), static_cast<int>(level->maximum));
+  const int wanted = std::clamp(shown + by, static_cast<int>(level->minimum), finest);
+  if (wanted != shown) set_smoothing(studio, level_parameter, std::int64_t{wanted});
+}
+
+/// What is computed, a level or a scan with filled holes, becomes a mesh of its own, with its tags and patches; the old
+/// object is hidden.
+/// @throws Error (E_EMPTY) when nothing computed is seen, or it isn't finished
+void freeze_level(Studio& studio) {
+  const WorkObject* object = studio.active();
+  const bool finished = object != nullptr && !object->is_source() && object->cage != 0 && object->mesh &&
+                        object->result && !object->result->failed && object->quality == Quality::Final;
+  if (!finished) {
+    throw Error(
+        make_error(Category::Usage, "E_EMPTY", "There is no finished mesh to freeze: press 3 or fill holes first"));
+  }
+  const Document& before = studio.session().document();
+  const int level = shown_level(studio);
+  const std::string name = object->name + (level < 0 ? " filled" : " level " + std::to_string(level));
+  Node hidden = *before.find(object->node);
+  hidden.visible = false;
+  Node frozen;
+  frozen.name = free_name(before, name);
+  frozen.source = object->mesh;
+  frozen.placement = object->placement;
+  frozen.group = object->group;
+  const NodeId id = before.next_id();
+  studio.session().edit("Freeze " + name, before.with(std::move(hidden)).with(std::move(frozen)));
+  studio.set_active(id);
+  studio.session().select({{id, ""}});
+}
+
+enum class KeptShape { Faces, Outline };
+
+/// Makes the active object's selected faces stay as they are on every level, or only their outline, by tags and pins;
+/// bent faces are cut into triangles first. One step of the history.
+/// @return what had to be done to the faces
+/// @throws Error (E_EMPTY) when no faces are selected
+Findings keep_selected_faces(Studio& studio, KeptShape kept) {
+  const WorkObject* object = studio.active();
+  const ComponentSelection& selected = studio.session().components();
+  const bool has_faces = object != nullptr && object->cage_mesh && selected.node == object->cage &&
+                         selected.kind == ComponentKind::Face && !selected.empty();
+  if (!has_faces) {
+    throw Error(make_error(Category::Usage, "E_EMPTY", "No faces are selected: pick those to keep first (F11)"));
+  }
+  const Document& before = studio.session().document();
+  Node cage = *before.find(object->cage);
+  if (!cage.source) {
+    throw Error(make_error(Category::Usage, "E_INPUT", "The mesh is computed: freeze its last step first"));
+  }
+  Findings notices;
+  PolyMesh mesh;
+  if (kept == KeptShape::Faces) {
+    subdivision::KeptRegion region = subdivision::keep_region(*object->cage_mesh, selected.elements);
+    notices = std::move(region.notices);
+    mesh = std::move(region.mesh);
+  } else {
+    mesh = subdivision::keep_outline(*object->cage_mesh, selected.elements);
+  }
+  cage.source = std::make_shared<const PolyMesh>(std::move(mesh));
+  studio.session().edit(kept == KeptShape::Faces ? "Keep the shape of faces" : "Keep the outline of faces",
+                        before.with(std::move(cage)));
+  return notices;
+}
+
 }  // namespace
+
+int shown_level(const Studio& studio) {
+  const Node* node = smoothing_node(studio);
+  if (node == nullptr || level_description(studio) == nullptr) return -1;
+  return static_cast<int>(integer_of(values_of(*node, *studio.description(smoothing_operation)), level_parameter));
+}
 
 ChainTable::ChainTable(QWidget* parent) : QTableWidget(parent) {
   setTabKeyNavigation(false);
@@ -137,8 +238,6 @@ void Comparison::choose(const std::string& parameter, const std::string& value) 
   follow();
 }
 
-QString Comparison::title() const { return title_; }
-
 void Comparison::follow() {
   const Node* node = active_operation(studio_);
   const OperationDescription* operation = node == nullptr ? nullptr : studio_.description(node->operation);
@@ -151,14 +250,14 @@ void Comparison::follow() {
     return;
   }
   object_ = node->id;
-  shown_value_ =
+  const std::string shown =
       value_.empty() ? another_choice(*parameter, text_of(values_of(*node, *operation), parameter_)) : value_;
-  const auto chosen = std::ranges::find(parameter->choices, shown_value_) - parameter->choices.begin();
+  const auto chosen = std::ranges::find(parameter->choices, shown) - parameter->choices.begin();
   const bool is_titled = chosen < std::ssize(parameter->choice_titles);
-  title_ = shown_text(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown_value_);
+  title_ = shown_text(is_titled ? parameter->choice_titles[static_cast<std::size_t>(chosen)] : shown);
   Node other = *node;
   other.id = compared_node;
-  other.parameters[parameter_] = shown_value_;
+  other.parameters[parameter_] = shown;
   if (!live_) {
     live_ = studio_.live_beside(compared_node, [this] { take(); });
   }
@@ -171,95 +270,6 @@ void Comparison::take() {
   if (operation == nullptr || !live_ || !live_->result()) return;
   item_.show(mesh_of(*live_->result(), *operation), {});
   emit changed();
-}
-
-void show_smooth(Studio& studio, ChainView view) {
-  const WorkObject* object = studio.active();
-  if (object == nullptr || object->cage == 0) return;
-  NodeId node = object->node;
-  if (object->is_source()) {
-    if (view == ChainView::Cage) return;
-    const std::string label = "Smooth " + readable_name(object->name);
-    AddedNode added = with_step(studio.session().document(), studio.registry(), object->cage, smoothing_operation);
-    node = added.node;
-    studio.session().edit(label, std::move(added.document));
-    studio.set_active(node);
-  }
-  studio.set_view(node, view);
-}
-
-int shown_level(const Studio& studio) {
-  const Node* node = smoothing_node(studio);
-  if (node == nullptr || level_description(studio) == nullptr) return -1;
-  return static_cast<int>(integer_of(values_of(*node, *studio.description(smoothing_operation)), level_parameter));
-}
-
-void change_level(Studio& studio, int by) {
-  const ParameterDescription* level = level_description(studio);
-  const int shown = shown_level(studio);
-  if (shown < 0) return;
-  const int finest = std::min(std::max(finest_shown, shown), static_cast<int>(level->maximum));
-  const int wanted = std::clamp(shown + by, static_cast<int>(level->minimum), finest);
-  if (wanted != shown) set_smoothing(studio, level_parameter, std::int64_t{wanted});
-}
-
-bool set_smoothing(Studio& studio, const std::string& parameter, const ParameterValue& value) {
-  const Node* node = smoothing_node(studio);
-  if (node == nullptr) return false;
-  studio.set_parameter(node->id, parameter, value, false);
-  return true;
-}
-
-void freeze_level(Studio& studio) {
-  const WorkObject* object = studio.active();
-  const bool finished = object != nullptr && !object->is_source() && object->cage != 0 && object->mesh &&
-                        object->result && !object->result->failed && object->quality == Quality::Final;
-  if (!finished) {
-    throw Error(
-        make_error(Category::Usage, "E_EMPTY", "There is no finished mesh to freeze: press 3 or fill holes first"));
-  }
-  const Document& before = studio.session().document();
-  const int level = shown_level(studio);
-  const std::string name = object->name + (level < 0 ? " filled" : " level " + std::to_string(level));
-  Node hidden = *before.find(object->node);
-  hidden.visible = false;
-  Node frozen;
-  frozen.name = free_name(before, name);
-  frozen.source = object->mesh;
-  frozen.placement = object->placement;
-  frozen.group = object->group;
-  const NodeId id = before.next_id();
-  studio.session().edit("Freeze " + name, before.with(std::move(hidden)).with(std::move(frozen)));
-  studio.set_active(id);
-  studio.session().select({{id, ""}});
-}
-
-Findings keep_selected_faces(Studio& studio, KeptShape kept) {
-  const WorkObject* object = studio.active();
-  const ComponentSelection& selected = studio.session().components();
-  const bool has_faces = object != nullptr && object->cage_mesh && selected.node == object->cage &&
-                         selected.kind == ComponentKind::Face && !selected.empty();
-  if (!has_faces) {
-    throw Error(make_error(Category::Usage, "E_EMPTY", "No faces are selected: pick those to keep first (F11)"));
-  }
-  const Document& before = studio.session().document();
-  Node cage = *before.find(object->cage);
-  if (!cage.source) {
-    throw Error(make_error(Category::Usage, "E_INPUT", "The mesh is computed: freeze its last step first"));
-  }
-  Findings notices;
-  PolyMesh mesh;
-  if (kept == KeptShape::Faces) {
-    subdivision::KeptRegion region = subdivision::keep_region(*object->cage_mesh, selected.elements);
-    notices = std::move(region.notices);
-    mesh = std::move(region.mesh);
-  } else {
-    mesh = subdivision::keep_outline(*object->cage_mesh, selected.elements);
-  }
-  cage.source = std::make_shared<const PolyMesh>(std::move(mesh));
-  studio.session().edit(kept == KeptShape::Faces ? "Keep the shape of faces" : "Keep the outline of faces",
-                        before.with(std::move(cage)));
-  return notices;
 }
 
 SubdivisionTool::SubdivisionTool(ToolHost& host)
@@ -287,10 +297,8 @@ void SubdivisionTool::make_actions(ActionList& actions) {
   QMenu* schemes = menu->addMenu(tr("Scheme"));
   auto* compared = new QMenu(tr("Compare with"), menu);
   make_scheme_actions(actions, schemes, compared);
-  QAction* side = actions.add(menu, "compare", tr("Side by side with another scheme"), {QKeySequence("L")},
-                              [this] { compare(host().action("compare")->isChecked()); });
-  side->setCheckable(true);
-  actions_ << side;
+  actions_ << add_toggle(actions, menu, "compare", tr("Side by side with another scheme"), {QKeySequence("L")},
+                         [this](bool on) { compare(on); });
   menu->addMenu(compared);
   menu->addSeparator();
   const auto add_keep = [&](const QString& name, const QString& text, KeptShape kept) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tools/surface/domain_panel.h"
 
-#include <QAction>
+#include <QBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -165,10 +164,102 @@ void paint_domain(QPainter& painter, const DomainPicture& picture, const DomainR
   painter.restore();
 }
 
+/// Of a face as it was computed last; none where it failed or isn't there.
+std::optional<DomainPicture> domain_picture(const AttributeNetwork& network, const AttributeSurface& surface,
+                                            const std::string& id, const NetworkElements& selected) {
+  const Index face = find_element(network, NetworkElement::Face, id);
+  if (face == no_index || !surface.faces[face].surface) return std::nullopt;
+  const FaceSurface& made = *surface.faces[face].surface;
+  DomainPicture picture;
+  picture.polygon = made.domain();
+  const std::vector<AttributeSide>& loop = network.faces[face].loop;
+  const std::size_t corners = made.domain().corners.size();
+  for (std::size_t k = 0; k < corners; ++k) {
+    const Index curve = loop[k * loop.size() / corners].curve;  // the two of a face of two sides are two sides each
+    picture.sides.push_back({with_numbers(network.curves[curve].id, network_ids), surface.curves[curve].smooth});
+  }
+  for (Index i = 0; i < network.points.size(); ++i) {
+    const auto placed = network.points[i].face == face ? placed_index(network, surface, i) : std::nullopt;
+    if (!placed) continue;
+    const PlacedPoint& point = made.points()[*placed];
+    picture.points.push_back({QString::fromStdString(network.points[i].id), point.place,
+                              point.radius.value_or(0) / made.sigma(),
+                              selected.has(NetworkElement::Point, network.points[i].id)});
+  }
+  for (const PlacedCurve& curve : made.curves()) picture.curves.push_back(curve.places);
+  return picture;
+}
+
+/// How much longer than wide the map of a face is, >= 1.
+std::optional<double> domain_anisotropy(const AttributeNetwork& network, const SurfaceMeasures& measures,
+                                        const std::string& id) {
+  const Index face = find_element(network, NetworkElement::Face, id);
+  const auto patch = std::ranges::find(measures.patches, face, &PatchMeasures::face);
+  if (face == no_index || patch == measures.patches.end()) return std::nullopt;
+  return patch->anisotropy;
+}
+
 QString short_number(double value) { return number_words(value, 3); }
 
 QString length_text(double value, const std::string& units) {
   return units.empty() ? short_number(value) : short_number(value) + " " + QString::fromStdString(units);
+}
+
+/// The face whose domain is shown: the selected one, that of the selected point, the one under the pointer, else the
+/// one shown last; empty for none.
+std::string wanted_face(const DrawnNetwork& drawn, const std::string& before) {
+  const AttributeNetwork& network = drawn.network();
+  const NetworkElements selected = drawn.tool.selected();
+  if (!selected.faces.empty()) return selected.faces.front();
+  for (const std::string& id : selected.points) {
+    const Index point = find_element(network, NetworkElement::Point, id);
+    if (point != no_index) return network.faces[network.points[point].face].id;
+  }
+  if (const auto& hit = drawn.tool.preview().hit) return hit->face;
+  const bool is_there = find_element(network, NetworkElement::Face, before) != no_index;
+  if (is_there) return before;
+  return network.faces.empty() ? std::string() : network.faces.front().id;
+}
+
+void show_domains(DomainView& view, const DrawnNetwork& drawn, const UniformGhost& ghost, const std::string& face) {
+  const ShownSurface& shown = drawn.shown;
+  const NetworkElements selected = drawn.tool.selected();
+  std::optional<DomainPicture> own, uniform;
+  if (shown) own = domain_picture(shown.network(), shown.surface(), face, selected);
+  const auto& hit = drawn.tool.preview().hit;
+  if (own && hit && hit->face == face && hit->fan.corner < own->polygon.corners.size())
+    own->pointer = place_in(own->polygon, hit->fan);
+  if (const UniformGhost::Compared* compared = ghost.compared(); own && compared != nullptr)
+    uniform = domain_picture(compared->comparison.network, compared->comparison.surface, face, selected);
+  view.show_domains(std::move(own), std::move(uniform));
+}
+
+/// The comparison's numbers stand in brackets behind the own ones.
+QString numbers_text(const ShownSurface& shown, const UniformGhost& ghost, const std::string& face) {
+  const auto own = shown ? domain_anisotropy(shown.network(), shown.found->measures, face) : std::nullopt;
+  if (!own) return {};
+  const UniformGhost::Compared* compared = ghost.compared();
+  const auto uniform =
+      compared == nullptr ? std::nullopt : domain_anisotropy(compared->comparison.network, compared->measures, face);
+  const QString text = Panel::tr("Stretch %1×").arg(short_number(*own));
+  return uniform ? text + Panel::tr(" (uniform %1×)").arg(short_number(*uniform)) : text;
+}
+
+/// How far off the dents of points lie.
+QString points_text(const AttributeNetwork& network, const UniformGhost& ghost, const std::string& face) {
+  const UniformGhost::Compared* compared = ghost.compared();
+  const std::string& units = network.units;
+  QStringList lines;
+  for (const ComparedPoint& point : compared == nullptr ? std::vector<ComparedPoint>() : compared->comparison.points) {
+    const Index index = find_element(network, NetworkElement::Point, point.id);
+    const bool is_here = index != no_index && network.faces[network.points[index].face].id == face;
+    if (!is_here || !point.own || !point.uniform) continue;
+    lines << Panel::tr("Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)")
+                 .arg(with_numbers(point.id, network_ids), length_text(point.own->offset, units),
+                      length_text(point.uniform->offset, units), short_number(point.own->anisotropy),
+                      short_number(point.uniform->anisotropy));
+  }
+  return lines.join('\n');
 }
 
 }  // namespace
@@ -205,39 +296,6 @@ void UniformGhost::take(const std::shared_ptr<const Compared>& made) {
   if (is_old) begin();
 }
 
-std::optional<DomainPicture> domain_picture(const AttributeNetwork& network, const AttributeSurface& surface,
-                                            const std::string& id, const NetworkElements& selected) {
-  const Index face = find_element(network, NetworkElement::Face, id);
-  if (face == no_index || !surface.faces[face].surface) return std::nullopt;
-  const FaceSurface& made = *surface.faces[face].surface;
-  DomainPicture picture;
-  picture.polygon = made.domain();
-  const std::vector<AttributeSide>& loop = network.faces[face].loop;
-  const std::size_t corners = made.domain().corners.size();
-  for (std::size_t k = 0; k < corners; ++k) {
-    const Index curve = loop[k * loop.size() / corners].curve;  // the two of a face of two sides are two sides each
-    picture.sides.push_back({with_numbers(network.curves[curve].id, network_ids), surface.curves[curve].smooth});
-  }
-  for (Index i = 0; i < network.points.size(); ++i) {
-    const auto placed = network.points[i].face == face ? placed_index(network, surface, i) : std::nullopt;
-    if (!placed) continue;
-    const PlacedPoint& point = made.points()[*placed];
-    picture.points.push_back({QString::fromStdString(network.points[i].id), point.place,
-                              point.radius.value_or(0) / made.sigma(),
-                              selected.has(NetworkElement::Point, network.points[i].id)});
-  }
-  for (const PlacedCurve& curve : made.curves()) picture.curves.push_back(curve.places);
-  return picture;
-}
-
-std::optional<double> domain_anisotropy(const AttributeNetwork& network, const SurfaceMeasures& measures,
-                                        const std::string& id) {
-  const Index face = find_element(network, NetworkElement::Face, id);
-  const auto patch = std::ranges::find(measures.patches, face, &PatchMeasures::face);
-  if (face == no_index || patch == measures.patches.end()) return std::nullopt;
-  return patch->anisotropy;
-}
-
 DomainView::DomainView(QWidget* parent) : QWidget(parent) { setObjectName("domain-view"); }
 
 void DomainView::show_domains(std::optional<DomainPicture> own, std::optional<DomainPicture> uniform) {
@@ -264,88 +322,30 @@ void DomainView::paintEvent(QPaintEvent*) {
   paint_domain(painter, *uniform_, {beside, tr("uniform"), below});
 }
 
-DomainPanel::DomainPanel(DrawnNetwork& network, const UniformGhost& ghost, QAction* compare)
-    : network_(network),
-      ghost_(ghost),
-      view_(new DomainView(this)),
-      title_(new QLabel(this)),
-      numbers_(new QLabel(this)) {
-  setObjectName("domain-panel");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 6, 8, 6);
-  auto* row = new QHBoxLayout;
-  row->addWidget(title_, 1);
-  auto* button = new QToolButton(this);
-  button->setDefaultAction(compare);
-  button->setObjectName("domain-compare");
-  button->setFocusPolicy(Qt::NoFocus);
-  row->addWidget(button);
-  column->addLayout(row);
-  column->addWidget(view_, 1);
-  numbers_->setObjectName("domain-numbers");
-  numbers_->setWordWrap(true);
-  numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  column->addWidget(numbers_);
-}
-
-std::string DomainPanel::wanted_face() const {
-  const AttributeNetwork& network = network_.network();
-  const NetworkElements selected = network_.tool.selected();
-  if (!selected.faces.empty()) return selected.faces.front();
-  for (const std::string& id : selected.points) {
-    const Index point = find_element(network, NetworkElement::Point, id);
-    if (point != no_index) return network.faces[network.points[point].face].id;
-  }
-  if (const auto& hit = network_.tool.preview().hit) return hit->face;
-  const bool is_there = find_element(network, NetworkElement::Face, face_) != no_index;
-  if (is_there) return face_;
-  return network.faces.empty() ? std::string() : network.faces.front().id;
-}
-
-void DomainPanel::follow() {
-  face_ = wanted_face();
-  const ShownSurface& shown = network_.shown;
-  const NetworkElements selected = network_.tool.selected();
-  std::optional<DomainPicture> own, uniform;
-  if (shown) own = domain_picture(shown.network(), shown.surface(), face_, selected);
-  const auto& hit = network_.tool.preview().hit;
-  if (own && hit && hit->face == face_ && hit->fan.corner < own->polygon.corners.size())
-    own->pointer = place_in(own->polygon, hit->fan);
-  if (const UniformGhost::Compared* compared = ghost_.compared(); own && compared != nullptr)
-    uniform = domain_picture(compared->comparison.network, compared->comparison.surface, face_, selected);
-  view_->show_domains(std::move(own), std::move(uniform));
-  title_->setText(face_.empty() ? tr("No patch yet") : tr("Patch %1").arg(with_numbers(face_, network_ids)));
-  numbers_->setText(QStringList{numbers_text(), points_text()}.join('\n').trimmed());
-}
-
-/// The comparison's numbers stand in brackets behind the own ones.
-QString DomainPanel::numbers_text() const {
-  const ShownSurface& shown = network_.shown;
-  const auto own = shown ? domain_anisotropy(shown.network(), shown.found->measures, face_) : std::nullopt;
-  if (!own) return {};
-  const UniformGhost::Compared* compared = ghost_.compared();
-  const auto uniform =
-      compared == nullptr ? std::nullopt : domain_anisotropy(compared->comparison.network, compared->measures, face_);
-  const QString text = tr("Stretch %1×").arg(short_number(*own));
-  return uniform ? text + tr(" (uniform %1×)").arg(short_number(*uniform)) : text;
-}
-
-/// How far off the dents of points lie.
-QString DomainPanel::points_text() const {
-  const UniformGhost::Compared* compared = ghost_.compared();
-  const AttributeNetwork& network = network_.network();
-  const std::string& units = network.units;
-  QStringList lines;
-  for (const ComparedPoint& point : compared == nullptr ? std::vector<ComparedPoint>() : compared->comparison.points) {
-    const Index index = find_element(network, NetworkElement::Point, point.id);
-    const bool is_here = index != no_index && network.faces[network.points[index].face].id == face_;
-    if (!is_here || !point.own || !point.uniform) continue;
-    lines << tr("Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)")
-                 .arg(with_numbers(point.id, network_ids), length_text(point.own->offset, units),
-                      length_text(point.uniform->offset, units), short_number(point.own->anisotropy),
-                      short_number(point.uniform->anisotropy));
-  }
-  return lines.join('\n');
+Panel* make_domain_panel(DrawnNetwork& drawn, const UniformGhost& ghost) {
+  auto* panel = new Panel("domain-panel");
+  QLabel* title = panel->label({});
+  auto* compare = new QToolButton(panel);
+  compare->setDefaultAction(drawn.host.action("compare-uniform"));
+  compare->setObjectName("domain-compare");
+  compare->setFocusPolicy(Qt::NoFocus);
+  panel->row({{title, 1}, compare});
+  auto* view = new DomainView(panel);
+  panel->column()->addWidget(view, 1);
+  QLabel* numbers = panel->label({});
+  numbers->setObjectName("domain-numbers");
+  numbers->setWordWrap(true);
+  numbers->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  panel->column()->addWidget(numbers);
+  panel->also([&drawn, &ghost, title, view, numbers, face = std::string()]() mutable {
+    face = wanted_face(drawn, face);
+    show_domains(*view, drawn, ghost, face);
+    title->setText(face.empty() ? Panel::tr("No patch yet")
+                                : Panel::tr("Patch %1").arg(with_numbers(face, network_ids)));
+    const QStringList lines{numbers_text(drawn.shown, ghost, face), points_text(drawn.network(), ghost, face)};
+    numbers->setText(lines.join('\n').trimmed());
+  });
+  return panel;
 }
 
 }  // namespace croquis::app

@@ -10,15 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/panel.h"
 #include "app/tools/background_job.h"
 #include "app/tools/surface/network.h"
 #include "app/tools/surface/network_scene.h"
 #include "croquis/attribute_surface/domain_comparison.h"
 #include "croquis/attribute_surface/surface_measures.h"
 #include "croquis/render/mesh_item.h"
-
-class QAction;
-class QLabel;
 
 namespace croquis::app {
 
@@ -76,13 +74,6 @@ struct DomainPicture {
   std::optional<Vec2> pointer;            ///< the place under the pointer, or being dragged
 };
 
-/// Of a face as it was computed last; none where it failed or isn't there.
-std::optional<DomainPicture> domain_picture(const AttributeNetwork& network, const AttributeSurface& surface,
-                                            const std::string& face, const NetworkElements& selected);
-/// How much longer than wide its map is, >= 1.
-std::optional<double> domain_anisotropy(const AttributeNetwork& network, const SurfaceMeasures& measures,
-                                        const std::string& face);
-
 /// Draws the domain of a face, and the uniform one beside it for comparison.
 class DomainView : public QWidget {
   Q_OBJECT
@@ -108,33 +99,7 @@ class DomainView : public QWidget {
 };
 
 /// The plane polygon that a patch is a map of, with what lies in it, and the numbers of the comparison with a uniform
-/// one.
-class DomainPanel : public QWidget {
-  Q_OBJECT
-
- public:
-  /// @param compare the action that shows the uniform domain, too
-  DomainPanel(DrawnNetwork& network, const UniformGhost& ghost, QAction* compare);
-
-  /// After the document, a result, the selection or the pointer's place has changed.
-  void follow();
-
-  /// The face whose domain is shown: the selected one, that of the selected point, the one under the pointer, else the
-  /// one shown last; empty for none.
-  const std::string& face() const { return face_; }
-  const DomainView& view() const { return *view_; }
-
- private:
-  std::string wanted_face() const;
-  QString numbers_text() const;
-  QString points_text() const;
-
-  DrawnNetwork& network_;
-  const UniformGhost& ghost_;
-  std::string face_;
-  DomainView* view_;
-  QLabel* title_;
-  QLabel* numbers_;
-};
+/// one. It follows the document, results, the selection and the pointer's place.
+Panel* make_domain_panel(DrawnNetwork& drawn, const UniformGhost& ghost);
 
 }  // namespace croquis::app

@@ -2,6 +2,7 @@
 #include "app/tools/surface/network.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,21 +14,10 @@
 #include "app/views/viewport.h"
 #include "croquis/attribute_surface/domain_comparison.h"
 #include "croquis/base/error.h"
+#include "croquis/mesh_editing/mesh_edit.h"
 
 namespace croquis::app {
 namespace {
-
-/// Newell's normal: of concave faces, too. Of no length for a face without area.
-Vec3 face_normal(const PolyMesh& mesh, Index face) {
-  const auto corners = mesh.face(face);
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3& a = mesh.positions[corners[k]];
-    const Vec3& b = mesh.positions[corners[(k + 1) % corners.size()]];
-    sum += (a - mesh.positions[corners[0]]).cross(b - mesh.positions[corners[0]]);
-  }
-  return sum.normalized();
-}
 
 constexpr int ring_places = 64;
 constexpr double handle_share = 0.06;  // of the loop's length: a slope's handle
@@ -65,45 +55,32 @@ Vec3 weights_at(const std::array<Vec3, 3>& triangle, const Vec3& place) {
   return {1 - b - c, b, c};
 }
 
-const std::shared_ptr<const AttributeNetwork>& no_network() {
-  static const auto none = std::make_shared<const AttributeNetwork>();
-  return none;
-}
-
-}  // namespace
-
-MeshPicker& DrawableMeshes::picker_of(const WorkObject& object) {
-  Kept& kept = kept_[object.node];
-  if (kept.mesh != object.shown()) {
-    kept.mesh = object.shown();
-    kept.picker = std::make_unique<MeshPicker>(kept.mesh);
-  }
-  return *kept.picker;
-}
-
-std::optional<MeshHit> DrawableMeshes::under(const Ray& ray, NodeId except) {
+/// Where a ray in the world meets the mesh of an object. @param except an object: the one that is drawn
+std::optional<MeshHit> nearest_hit(const Studio& studio, MeshPickers& pickers, const Ray& ray, NodeId except) {
   std::optional<MeshHit> nearest;
-  for (const WorkObject& object : studio_.objects()) {
+  for (const WorkObject& object : studio.objects()) {
     const bool is_seen = object.visible && object.shown() && object.shown()->face_count() > 0;
     if (!is_seen || object.node == except) continue;
     const Affine3 to_model = object.placement.map();
     const Affine3 back = inverse_of(to_model);
-    const auto hit = picker_of(object).face_under({back(ray.origin), (back.linear * ray.direction).normalized()});
+    const auto hit = pickers.of(object).face_under({back(ray.origin), (back.linear * ray.direction).normalized()});
     const Vec3 place = hit ? to_model(hit->place) : Vec3();
     const double distance = (place - ray.origin).norm();
     if (!hit || (nearest && distance >= nearest->distance)) continue;
-    const Vec3 normal = back.linear.transpose() * face_normal(*object.shown(), hit->element);
+    const Vec3 normal = back.linear.transpose() * mean_normal(*object.shown(), std::array{hit->element});
     nearest = MeshHit{place, normal.normalized(), distance};
   }
   return nearest;
 }
+
+}  // namespace
 
 const FaceSurface* NetworkSight::surface_of(Index face) const {
   return !shown_ || face == no_index ? nullptr : shown_.surface().faces[face].surface.get();
 }
 
 std::optional<NetworkSight::Placed> NetworkSight::placed(const std::string& id) const {
-  const Index point = shown_ ? shown_.point(id) : no_index;
+  const Index point = shown_ ? shown_.find(NetworkElement::Point, id) : no_index;
   if (point == no_index) return std::nullopt;
   const auto index = placed_index(shown_.network(), shown_.surface(), point);
   if (!index) return std::nullopt;
@@ -150,7 +127,7 @@ std::optional<SurfaceHit> NetworkSight::patch_under(const Ray& ray) const {
 
 std::optional<MeshHit> NetworkSight::mesh_under(const Ray& ray) const {
   const auto [in_world, stretch] = mapped(ray, shown_.to_world);
-  auto hit = meshes_.under(in_world, object_);
+  auto hit = nearest_hit(studio_, meshes_, in_world, object_);
   if (!hit) return std::nullopt;
   hit->point = inverse_of(shown_.to_world)(hit->point);
   hit->normal = normal_back(hit->normal, shown_.to_world);
@@ -188,8 +165,8 @@ std::vector<Vec3> NetworkSight::ring_of(const std::string& point, double radius)
 
 std::optional<SlopeFrame> NetworkSight::slope_at(const std::string& face_id, const std::string& curve_id,
                                                  double at) const {
-  const Index face = shown_ ? shown_.face(face_id) : no_index;
-  const Index curve = shown_ ? shown_.curve(curve_id) : no_index;
+  const Index face = shown_ ? shown_.find(NetworkElement::Face, face_id) : no_index;
+  const Index curve = shown_ ? shown_.find(NetworkElement::Curve, curve_id) : no_index;
   const FaceSurface* surface = surface_of(face);
   if (surface == nullptr || curve == no_index) return std::nullopt;
   const std::vector<AttributeSide>& loop = shown_.network().faces[face].loop;
@@ -212,8 +189,7 @@ DrawnNetwork::DrawnNetwork(Tool& tool_of_window, ToolHost& window)
     : owner(tool_of_window),
       host(window),
       tool(window.studio().session(), window.studio().network_options()),
-      meshes(window.studio()),
-      content(no_network()) {
+      content(std::make_shared<const AttributeNetwork>()) {
   tool.settings().ground = {Vec3::Zero(), Vec3::UnitZ()};
 }
 
@@ -251,7 +227,7 @@ void DrawnNetwork::follow_document() {
   const NodeId node = host.studio().network_node();
   if (!owner.down()) tool.settings().node = node;
   const auto network = source_of<AttributeNetwork>(host.studio().session().document().find(node));
-  content = network ? network : no_network();
+  content = network ? network : std::make_shared<const AttributeNetwork>();
   follow_result();
 }
 
@@ -262,7 +238,7 @@ void DrawnNetwork::follow_result() {
   ShownSurface now = shown_surface(host.studio(), node, operation);
   if (now.result != shown.result || now.mesh != shown.mesh || now.to_world != shown.to_world) {
     const WorkObject* object = host.studio().object(operation);
-    sight = std::make_shared<NetworkSight>(now, object == nullptr ? operation : object->node, meshes);
+    sight = std::make_shared<NetworkSight>(now, object == nullptr ? operation : object->node, host.studio(), meshes);
     tool.settings().sight = sight;
   }
   shown = std::move(now);

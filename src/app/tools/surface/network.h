@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 
 #include "app/tools/surface/network_scene.h"
 #include "app/tools/tool.h"
+#include "app/views/object_picker.h"
 #include "croquis/tools/mesh/mesh_pick.h"
 #include "croquis/tools/surface/surface_sight.h"
 
 namespace croquis::app {
 
-/// The other objects' meshes, which curves can be drawn on. Pickers are kept until a mesh changes. One thread.
-class DrawableMeshes {
- public:
-  explicit DrawableMeshes(const Studio& studio) : studio_(studio) {}
-
-  /// @param ray    in the world
-  /// @param except an object: the one that is drawn
-  std::optional<MeshHit> under(const Ray& ray, NodeId except);
-
- private:
-  struct Kept {
-    std::shared_ptr<const PolyMesh> mesh;
-    std::unique_ptr<MeshPicker> picker;
-  };
-  MeshPicker& picker_of(const WorkObject& object);
-
-  const Studio& studio_;
-  std::map<NodeId, Kept> kept_;
-};
-
 /// The surfaces as they were computed last, for the tool that draws on them.
 class NetworkSight final : public SurfaceSight {
  public:
-  /// @param object whose surfaces these are. @param meshes outlive this
-  NetworkSight(ShownSurface shown, NodeId object, DrawableMeshes& meshes)
-      : shown_(std::move(shown)), object_(object), meshes_(meshes) {}
+  /// @param object whose surfaces these are. @param meshes of the other objects, which curves can be drawn on
+  NetworkSight(ShownSurface shown, NodeId object, const Studio& studio, MeshPickers& meshes)
+      : shown_(std::move(shown)), object_(object), studio_(studio), meshes_(meshes) {}
 
   std::optional<SurfaceHit> patch_under(const Ray& ray) const override;
   std::optional<MeshHit> mesh_under(const Ray& ray) const override;
@@ -62,7 +41,8 @@ class NetworkSight final : public SurfaceSight {
 
   ShownSurface shown_;
   NodeId object_;
-  DrawableMeshes& meshes_;
+  const Studio& studio_;
+  MeshPickers& meshes_;
   mutable std::unique_ptr<MeshPicker> picker_;  ///< made when it is first needed
 };
 
@@ -93,7 +73,7 @@ struct DrawnNetwork {
   Tool& owner;
   ToolHost& host;
   SurfaceTool tool;
-  DrawableMeshes meshes;
+  MeshPickers meshes;  ///< of the other objects
   NetworkScene scene;
   std::shared_ptr<const AttributeNetwork> content;
   ShownSurface shown;

@@ -28,8 +28,7 @@ const QColor point_color(242, 140, 40);
 void add_lines(std::vector<render::LineItemPtr>& items, const std::vector<render::LinePath>& paths, double width,
                const QColor& color, const render::DashPattern& dash = {}) {
   if (paths.empty()) return;
-  items.push_back(
-      render::make_line_item(paths, {width, to_color(color, behind_alpha), dash, render::LineDepth::OnTop}));
+  items.push_back(render::make_line_item(paths, {width, to_color(color, behind_alpha), dash}));
   items.push_back(render::make_line_item(paths, {width, to_color(color), dash, render::LineDepth::OnSurface}));
 }
 
@@ -41,14 +40,45 @@ std::set<Index> inner_curves(const AttributeNetwork& network) {
   return inner;
 }
 
-/// Faces that were tried and have no surface.
-std::vector<Index> failed_faces(const AttributeNetwork& network, const ShownSurface& shown) {
-  std::vector<Index> failed;
-  for (Index face = 0; shown && face < network.faces.size(); ++face) {
-    const Index tried = shown.face(network.faces[face].id);
-    if (tried != no_index && !shown.surface().faces[tried].surface) failed.push_back(face);
-  }
-  return failed;
+render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed = false) {
+  return path_of(
+      places, [&](const Vec3& place) { return to_glm(to_world(place)); }, closed);
+}
+
+render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
+  return path_through(traced_curve(network, curve), to_world);
+}
+
+render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color) {
+  return {to_glm(world), shape, size, to_color(color)};
+}
+
+/// Halfway along a curve, or where its control points are, if it is of no length. World.
+Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
+  const std::vector<Vec3> places = traced_curve(network, curve, 2);
+  return to_world(places.size() == 2 ? Vec3((places[0] + places[1]) / 2) : places[places.size() / 2]);
+}
+
+/// The mean of a face's corners. World.
+Vec3 middle_of_face(const AttributeNetwork& network, Index face, const Affine3& to_world) {
+  Vec3 sum = Vec3::Zero();
+  for (const AttributeSide& side : network.faces[face].loop) sum += start_place(network, side);
+  const std::size_t corners = network.faces[face].loop.size();
+  return to_world(corners == 0 ? sum : Vec3(sum / static_cast<double>(corners)));
+}
+
+/// From a network's own space to that of the mesh.
+Affine3 placement_of(const Document& document, NodeId network, NodeId operation) {
+  const Node* source = document.find(network);
+  const Node* step = document.find(operation);
+  const Affine3 own = source == nullptr ? Affine3() : source->transform;
+  return step == nullptr ? own : composed(step->transform, own);
+}
+
+/// The colour of an angle between patches: green where nobody sees it, red from two degrees on.
+QColor jump_color(double degrees) {
+  const double share = std::clamp((degrees - seen_degrees) / (greatest_shown - seen_degrees), 0.0, 1.0);
+  return QColor::fromHsvF(static_cast<float>((1 - share) / 3), 0.85F, 0.75F);
 }
 
 /// Where a finding stands: at its first element that is there.
@@ -68,19 +98,15 @@ std::optional<Vec3> place_of(const Finding& finding, const AttributeNetwork& net
   return std::nullopt;
 }
 
-render::LinePath path_through(const std::vector<Vec3>& places, const Affine3& to_world, bool closed = false) {
-  return path_of(
-      places, [&](const Vec3& place) { return to_glm(to_world(place)); }, closed);
-}
-
 }  // namespace
 
-render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
-  return path_through(traced_curve(network, curve), to_world);
-}
-
-render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color) {
-  return {to_glm(world), shape, size, to_color(color)};
+std::vector<Index> failed_faces(const AttributeNetwork& network, const ShownSurface& shown) {
+  std::vector<Index> failed;
+  for (Index face = 0; shown && face < network.faces.size(); ++face) {
+    const Index tried = shown.find(NetworkElement::Face, network.faces[face].id);
+    if (tried != no_index && !shown.surface().faces[tried].surface) failed.push_back(face);
+  }
+  return failed;
 }
 
 render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world) {
@@ -100,37 +126,12 @@ render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_
   return lines_of(lines, {1, to_color(colors::guide, line_alpha), {}, render::LineDepth::Tested});
 }
 
-Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world) {
-  const std::vector<Vec3> places = traced_curve(network, curve, 2);
-  return to_world(places.size() == 2 ? Vec3((places[0] + places[1]) / 2) : places[places.size() / 2]);
-}
-
-Vec3 middle_of_face(const AttributeNetwork& network, Index face, const Affine3& to_world) {
-  Vec3 sum = Vec3::Zero();
-  for (const AttributeSide& side : network.faces[face].loop) sum += start_place(network, side);
-  const std::size_t corners = network.faces[face].loop.size();
-  return to_world(corners == 0 ? sum : Vec3(sum / static_cast<double>(corners)));
-}
-
-Index ShownSurface::face(const std::string& id) const { return find_element(network(), NetworkElement::Face, id); }
-
-Index ShownSurface::curve(const std::string& id) const { return find_element(network(), NetworkElement::Curve, id); }
-
-Index ShownSurface::point(const std::string& id) const { return find_element(network(), NetworkElement::Point, id); }
-
 Affine3 inverse_of(const Affine3& map) {
   if (map.is_identity()) return map;
   Affine3 inverse;
   inverse.linear = map.linear.inverse();
   inverse.offset = -inverse.linear * map.offset;
   return inverse;
-}
-
-Affine3 placement_of(const Document& document, NodeId network, NodeId operation) {
-  const Node* source = document.find(network);
-  const Node* step = document.find(operation);
-  const Affine3 own = source == nullptr ? Affine3() : source->transform;
-  return step == nullptr ? own : composed(step->transform, own);
 }
 
 ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation) {
@@ -145,11 +146,6 @@ ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operatio
   shown.found = result_of<SurfaceResult>(shown.result.get());
   shown.mesh = shown.found == nullptr ? nullptr : mesh_at(studio, operation);
   return shown;
-}
-
-QColor jump_color(double degrees) {
-  const double share = std::clamp((degrees - seen_degrees) / (greatest_shown - seen_degrees), 0.0, 1.0);
-  return QColor::fromHsvF(static_cast<float>((1 - share) / 3), 0.85F, 0.75F);
 }
 
 void NetworkScene::show_network(const AttributeNetwork& network, const ShownSurface& shown,
@@ -181,8 +177,8 @@ void NetworkScene::show_network(const AttributeNetwork& network, const ShownSurf
   add_lines(curves_, creases, crease_width, colors::ink);
   add_lines(curves_, smooth, smooth_width, smooth_color);
   add_lines(curves_, inside, inner_width, inner_color, {7, 3, 0, 0});
-  selected_ = lines_of(chosen, {halo_width, to_color(colors::accent, 150), {}, render::LineDepth::OnTop});
-  failed_ = lines_of(failed, {crease_width, to_color(colors::error), {6, 4, 0, 0}, render::LineDepth::OnTop});
+  selected_ = lines_of(chosen, {halo_width, to_color(colors::accent, 150), {}});
+  failed_ = lines_of(failed, {crease_width, to_color(colors::error), {6, 4, 0, 0}});
   std::vector<render::Mark> nodes, points;
   for (const AttributeNode& node : network.nodes) {
     const bool is_chosen = selected.has(NetworkElement::Node, node.id);
@@ -222,9 +218,9 @@ void NetworkScene::show_handles(const SurfaceTool& tool, const AttributeNetwork&
   }
   if (const std::vector<Vec3> places = ring_of(tool); places.size() > 2)
     ring.push_back(path_through(places, to_world, true));
-  polygons_ = lines_of(polygons, {1, to_color(colors::accent, 170), {4, 3, 0, 0}, render::LineDepth::OnTop});
-  slopes_ = lines_of(slopes, {2, to_color(colors::hover), {}, render::LineDepth::OnTop});
-  ring_ = lines_of(ring, {2.2, to_color(colors::accent), {}, render::LineDepth::OnTop});
+  polygons_ = lines_of(polygons, {1, to_color(colors::accent, 170), {4, 3, 0, 0}});
+  slopes_ = lines_of(slopes, {2, to_color(colors::hover), {}});
+  ring_ = lines_of(ring, {2.2, to_color(colors::accent), {}});
   handles_ = marks_of(handles);
   tips_ = marks_of(tips);
 }
@@ -264,9 +260,9 @@ void NetworkScene::show_preview(const SurfacePreview& preview, const AttributeNe
     marks.back().outline = to_color(colors::ink);
   }
   if (preview.hit) marks.push_back(place_mark(to_world(preview.hit->point), render::MarkShape::Disc, 6, colors::hover));
-  ink_ = lines_of(ink, {crease_width, to_color(colors::accent), {}, render::LineDepth::OnTop});
-  loop_ = lines_of(loop, {halo_width, to_color(colors::hover, 190), {}, render::LineDepth::OnTop});
-  hovered_ = lines_of(hovered, {halo_width - 1, to_color(colors::hover, 150), {}, render::LineDepth::OnTop});
+  ink_ = lines_of(ink, {crease_width, to_color(colors::accent), {}});
+  loop_ = lines_of(loop, {halo_width, to_color(colors::hover, 190), {}});
+  hovered_ = lines_of(hovered, {halo_width - 1, to_color(colors::hover, 150), {}});
   snap_ = marks_of(marks);
 }
 
@@ -274,7 +270,7 @@ void NetworkScene::show_jumps(const AttributeNetwork& network, const ShownSurfac
   std::vector<render::LinePath> paths;
   numbers_.clear();
   for (Index curve = 0; on && shown && curve < network.curves.size(); ++curve) {
-    const Index measured = shown.curve(network.curves[curve].id);
+    const Index measured = shown.find(NetworkElement::Curve, network.curves[curve].id);
     if (measured == no_index || measured >= shown.found->measures.normal_jumps.size()) continue;
     const auto& jump = shown.found->measures.normal_jumps[measured];
     if (!jump) continue;
@@ -285,7 +281,7 @@ void NetworkScene::show_jumps(const AttributeNetwork& network, const ShownSurfac
                         QString::number(degrees, 'f', degrees < seen_degrees ? 3 : 2) + QStringLiteral("°"),
                         jump_color(degrees)});
   }
-  jumps_ = lines_of(paths, {halo_width - 1, to_color(colors::warning), {}, render::LineDepth::OnTop});
+  jumps_ = lines_of(paths, {halo_width - 1, to_color(colors::warning), {}});
 }
 
 void NetworkScene::add_to(render::Scene& scene) const {

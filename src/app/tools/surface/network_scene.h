@@ -19,22 +19,9 @@
 
 namespace croquis::app {
 
-// Elements of a network as lines and marks of the renderer.
-
-/// Along a curve.
-render::LinePath curve_path(const AttributeNetwork& network, Index curve, const Affine3& to_world);
-
-render::Mark place_mark(const Vec3& world, render::MarkShape shape, float size, const QColor& color);
-
 /// Squares on the plane z = 0 of the network's own space, around what is drawn: what strokes lie on that begin on
 /// nothing.
 render::LineItemPtr ground_lines(const render::Bounds& drawn, const Affine3& to_world);
-
-/// Halfway along a curve, or where its control points are, if it is of no length. World.
-Vec3 middle_of(const AttributeNetwork& network, Index curve, const Affine3& to_world);
-
-/// The mean of a face's corners. World.
-Vec3 middle_of_face(const AttributeNetwork& network, Index face, const Affine3& to_world);
 
 /// What is known of the surfaces of a network, as they were computed last: maybe of the network as it was a moment ago.
 struct ShownSurface {
@@ -49,17 +36,15 @@ struct ShownSurface {
   const AttributeNetwork& network() const { return *found->network; }
   const AttributeSurface& surface() const { return *found->surface; }
 
-  // Indices into that network, no_index where it has no such element.
-  Index face(const std::string& id) const;
-  Index curve(const std::string& id) const;
-  Index point(const std::string& id) const;
+  /// An index into that network, no_index where it has no such element.
+  Index find(NetworkElement kind, const std::string& id) const { return find_element(network(), kind, id); }
 };
 
 /// @param network source. @param operation that it goes to; 0 for none
 ShownSurface shown_surface(const Studio& studio, NodeId network, NodeId operation);
 
-/// From a network's own space to that of the mesh.
-Affine3 placement_of(const Document& document, NodeId network, NodeId operation);
+/// Those that were tried and have no surface.
+std::vector<Index> failed_faces(const AttributeNetwork& network, const ShownSurface& shown);
 
 /// The inverse. @param map invertible
 Affine3 inverse_of(const Affine3& map);
@@ -98,8 +83,5 @@ class NetworkScene {
   std::vector<FindingMark> marks_;
   std::vector<PlacedText> numbers_;
 };
-
-/// The colour of an angle between patches: green where nobody sees it, red from two degrees on.
-QColor jump_color(double degrees);
 
 }  // namespace croquis::app

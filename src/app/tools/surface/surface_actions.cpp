@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/files/mesh_export.h"
 #include "app/tools/action_rows.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "app/views/viewport.h"
@@ -128,15 +129,14 @@ std::vector<ActionRow> element_actions(DrawnNetwork& network) {
 }
 
 void add_mode_actions(ToolHost& host, ActionList& actions) {
-  QMenu* menu = actions.menu(MenuId::Surface);
-  const auto add_mode = [&](const QString& mode, const QString& text, const QString& tip) {
-    QAction* action = actions.add_mode(menu, mode, text, {}, [&host, mode] { host.set_mode(mode); });
+  const auto add = [&](const QString& mode, const QString& text, const QString& tip) {
+    QAction* action = add_mode(host, actions, MenuId::Surface, mode, text);
     action->setToolTip(tip);
     action->setVisible(false);
   };
-  add_mode("patch", QObject::tr("Patch"), QObject::tr("A click inside a loop of curves makes a patch (P)"));
-  add_mode("surface-point", QObject::tr("Point on a patch"), QObject::tr("A click on a patch and a drag pull it (T)"));
-  add_mode("inner-curve", QObject::tr("Inner curve"), QObject::tr("A curve drawn on a patch pulls it (I)"));
+  add("patch", QObject::tr("Patch"), QObject::tr("A click inside a loop of curves makes a patch (P)"));
+  add("surface-point", QObject::tr("Point on a patch"), QObject::tr("A click on a patch and a drag pull it (T)"));
+  add("inner-curve", QObject::tr("Inner curve"), QObject::tr("A curve drawn on a patch pulls it (I)"));
 }
 
 void add_plane_actions(DrawnNetwork& network, ActionList& actions, QMenu* planes) {
@@ -155,7 +155,8 @@ void add_plane_actions(DrawnNetwork& network, ActionList& actions, QMenu* planes
 
 }  // namespace
 
-void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions) {
+void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions,
+                         ToolKeys& keys) {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   add_mode_actions(network.host, actions);
   QMenu* menu = actions.menu(MenuId::Surface);
@@ -164,32 +165,25 @@ void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking
   actions.find("symmetric-edit")->setCheckable(true);
   add_plane_actions(network, actions, menu->addMenu(tr("Draw on")));
   menu->addSeparator();
-  QAction* compare =
-      actions.add(menu, "compare-uniform", tr("Uniform domain for comparison") + "\t" + tr("U"), {},
-                  [&network, &ghost] { ghost.set_on(network.host.action("compare-uniform")->isChecked()); });
-  compare->setCheckable(true);
-  compare->setIconText(tr("Uniform (U)"));
-  actions
-      .add(menu, "normal-jump", tr("Angles along smooth curves") + "\t" + tr("J"), {},
-           [&network] { network.show_jumps(network.host.action("normal-jump")->isChecked()); })
-      ->setCheckable(true);
+  add_toggle(actions, menu, "compare-uniform", tr("Uniform domain for comparison") + "\t" + tr("U"), {},
+             [&ghost](bool on) { ghost.set_on(on); })
+      ->setIconText(tr("Uniform (U)"));
+  add_toggle(actions, menu, "normal-jump", tr("Angles along smooth curves") + "\t" + tr("J"), {},
+             [&network](bool on) { network.show_jumps(on); });
   // From whatever the active object is made of: strokes, edges.
   QMenu* sources = actions.menu(MenuId::Create)->addMenu(tr("Surface from"));
-  for (const OperationDescription* operation : taking.ways()) {
+  for (const OperationDescription* operation : result_exports(network.host.studio())) {
     QAction* action = actions.add(sources, taking_action(*operation), shown_text(operation->title), {},
                                   [&taking, id = operation->id] { taking.take(id); });
     action->setToolTip(shown_text(operation->sentence));
   }
-}
-
-void add_surface_keys(const ToolHost& host, ToolKeys& keys) {
   for (const auto& [key, name] : {std::pair{Qt::Key_P, "patch"},
                                   {Qt::Key_T, "surface-point"},
                                   {Qt::Key_I, "inner-curve"},
                                   {Qt::Key_U, "compare-uniform"},
                                   {Qt::Key_S, "toggle-join"},
                                   {Qt::Key_J, "normal-jump"}})
-    keys.pressed[key] = [action = host.action(name)] { action->trigger(); };
+    keys.pressed[key] = [action = actions.find(name)] { action->trigger(); };
 }
 
 void refresh_surface_actions(const DrawnNetwork& drawn, const UniformGhost& ghost, const CurveTaking& taking) {
@@ -220,7 +214,7 @@ void refresh_surface_actions(const DrawnNetwork& drawn, const UniformGhost& ghos
   host.action("compare-uniform")->setChecked(ghost.on());
   host.action("normal-jump")->setChecked(drawn.jumps);
   host.action(plane_actions[static_cast<std::size_t>(drawn.tool.settings().plane)])->setChecked(true);
-  for (const OperationDescription* operation : taking.ways())
+  for (const OperationDescription* operation : result_exports(host.studio()))
     enable(taking_action(*operation), taking.can_take(*operation));
 }
 

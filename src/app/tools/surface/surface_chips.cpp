@@ -15,24 +15,12 @@ namespace {
 
 constexpr std::size_t most_loop_curves = 64;
 
-QString counted_text(std::size_t count, const QString& one, const QString& many) {
-  return count == 1 ? one : many.arg(count);
-}
-
 NetworkState state_of_curves(const AttributeNetwork& network) {
   if (network.curves.empty()) return {};
-  return {counted_text(network.curves.size(), QObject::tr("1 curve"), QObject::tr("%1 curves")) +
+  return {counted_words(network.curves.size(), QObject::tr("1 curve"), QObject::tr("%1 curves")) +
               QObject::tr(", no patch yet: P and a click inside a loop makes one"),
           false,
           {}};
-}
-
-/// Faces that have no surface, as far as that is known.
-std::size_t failed_count(const AttributeNetwork& network, const ShownSurface& shown) {
-  return static_cast<std::size_t>(std::ranges::count_if(network.faces, [&](const AttributeFace& face) {
-    const Index tried = shown ? shown.face(face.id) : no_index;
-    return tried != no_index && !shown.surface().faces[tried].surface;
-  }));
 }
 
 /// Ends of these curves at which none of the others ends.
@@ -62,17 +50,9 @@ bool is_loop_of_face(const AttributeNetwork& network, std::vector<Index> curves)
 
 constexpr double state_margin = 10;  // logical pixels
 constexpr double network_hint_height = 70;
-constexpr const char* lacking_style =
-    "QToolButton, QLabel { background: #fff4df; color: #7a4a00; border: 1px solid #e0a030; border-radius: 9px;"
-    " padding: 2px 9px } QToolButton:hover { background: #ffe2a8 }";
-constexpr const char* sound_style =
-    "QToolButton { background: #dff5e3; color: #14602a; border: 1px solid #2f9a4c; border-radius: 9px;"
-    " padding: 2px 9px }";
 constexpr const char* offer_style =
     "QToolButton { background: #f28c28; color: #1c1c1e; border: 1px solid #a85a10; border-radius: 9px;"
     " padding: 2px 9px } QToolButton:hover { background: #ffac58 }";
-constexpr const char* number_style =
-    "background: #2b2d31; color: #f2f3f5; border-radius: 5px; padding: 1px 6px; font-size: 12px; border: 1px solid %1";
 constexpr std::size_t most_numbers = 60;
 
 QString offset_number(double value) { return number_words(value, 2); }
@@ -97,18 +77,18 @@ NetworkElements elements_in(const Finding& finding, const AttributeNetwork& netw
 NetworkState network_state(const AttributeNetwork& network, const ShownSurface& shown, const Findings& findings) {
   if (network.faces.empty()) return state_of_curves(network);
   const auto worst = [&](Severity severity) { return std::ranges::find(findings, severity, &Finding::severity); };
-  const std::size_t failed = failed_count(network, shown);
+  const std::size_t failed = failed_faces(network, shown).size();
   if (const auto error = worst(Severity::Error); error != findings.end()) {
     const QString sentence = localized(error->message);
     return {failed == 0 ? sentence
-                        : counted_text(failed, QObject::tr("1 patch can't be made: "),
-                                       QObject::tr("%1 patches can't be made: ")) +
+                        : counted_words(failed, QObject::tr("1 patch can't be made: "),
+                                        QObject::tr("%1 patches can't be made: ")) +
                               sentence,
             false, elements_in(*error, network)};
   }
   if (const auto warning = worst(Severity::Warning); warning != findings.end())
     return {localized(warning->message), false, elements_in(*warning, network)};
-  return {counted_text(network.faces.size(), QObject::tr("1 patch"), QObject::tr("%1 patches")), true, {}};
+  return {counted_words(network.faces.size(), QObject::tr("1 patch"), QObject::tr("%1 patches")), true, {}};
 }
 
 std::optional<LoopState> loop_state(const AttributeNetwork& network, const std::vector<std::string>& ids) {
@@ -175,12 +155,12 @@ void SurfaceChips::place(ChipPlaces& places, bool shown) {
   chips_.end();
 }
 
-/// Beside a place of the model, where it is seen.
-void SurfaceChips::put_at(const ViewPane& pane, QWidget& chip, const Vec3& world) {
-  constexpr QPointF beside(12, -10);
+/// A place of the model, where it is seen.
+std::optional<QPointF> SurfaceChips::beside(const ViewPane& pane, const Vec3& world) const {
+  constexpr QPointF way(12, -10);
   const auto seen = frame_of(network_.host.views(), view_).project(world);
   const QPointF at = pane.rect.topLeft() + (seen ? QPointF(seen->pixel.x(), seen->pixel.y()) : QPointF(-1, -1));
-  if (seen && pane.rect.contains(at)) chips_.put(chip, at + beside, pane.rect);
+  return seen && pane.rect.contains(at) ? std::optional(at + way) : std::nullopt;
 }
 
 void SurfaceChips::place_hint(const QRectF& rect) {
@@ -201,15 +181,14 @@ void SurfaceChips::place_state(const QRectF& rect) {
 
 /// On the selected curves: that they are a loop, or what they lack.
 void SurfaceChips::place_loop(const ViewPane& pane) {
-  if (!loop_) return;
-  if (loop_->closed) {
-    patch_->adjustSize();
-    return put_at(pane, *patch_, network_.to_world()(loop_->middle));
-  }
-  if (loop_->sentence.isEmpty()) return;
+  if (!loop_ || (!loop_->closed && loop_->sentence.isEmpty())) return;
+  const Vec3 place = loop_->closed ? loop_->middle : loop_->gap.value_or(loop_->middle);
+  const auto at = beside(pane, network_.to_world()(place));
+  if (!at) return;
   gap_->setText(loop_->sentence);
-  gap_->adjustSize();
-  put_at(pane, *gap_, network_.to_world()(loop_->gap.value_or(loop_->middle)));
+  QWidget& chip = loop_->closed ? static_cast<QWidget&>(*patch_) : *gap_;
+  chip.adjustSize();
+  chips_.put(chip, *at, pane.rect);
 }
 
 std::vector<PlacedText> SurfaceChips::numbers() const {
@@ -236,15 +215,9 @@ std::vector<PlacedText> SurfaceChips::numbers() const {
 }
 
 void SurfaceChips::place_numbers(const ViewPane& pane) {
-  std::size_t used = 0;
   for (const PlacedText& number : numbers()) {
-    if (used == labels_.size()) labels_.push_back(chips_.label("network-number", ""));
-    QLabel& chip = *labels_[used++];
-    const QString style = QString(number_style).arg(number.color.name());
-    if (chip.styleSheet() != style) chip.setStyleSheet(style);
-    chip.setText(number.text);
-    chip.adjustSize();
-    put_at(pane, chip, number.at);
+    if (const auto at = beside(pane, number.at))
+      chips_.put_value("network-number", number.text, number.color.name(), *at, pane.rect);
   }
 }
 

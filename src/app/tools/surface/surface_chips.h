@@ -51,7 +51,7 @@ class SurfaceChips {
   void place(ChipPlaces& places, bool shown);
 
  private:
-  void put_at(const ViewPane& pane, QWidget& chip, const Vec3& world);
+  std::optional<QPointF> beside(const ViewPane& pane, const Vec3& world) const;
   void place_hint(const QRectF& rect);
   void place_state(const QRectF& rect);
   void place_loop(const ViewPane& pane);
@@ -68,7 +68,6 @@ class SurfaceChips {
   QToolButton* sentence_;
   QToolButton* patch_;
   QLabel* gap_;
-  std::vector<QLabel*> labels_;
 };
 
 }  // namespace croquis::app

@@ -98,12 +98,9 @@ void choose_all(DrawnNetwork& network) {
 /// "12 curves, 3 patches, 1 point".
 QString size_of(const AttributeNetwork& network) {
   const auto tr = [](const char* text) { return SurfaceDrawingTool::tr(text); };
-  const auto counted = [](std::size_t count, const QString& one, const QString& many) {
-    return count == 1 ? one : many.arg(count);
-  };
-  return QStringList{counted(network.curves.size(), tr("1 curve"), tr("%1 curves")),
-                     counted(network.faces.size(), tr("1 patch"), tr("%1 patches")),
-                     counted(network.points.size(), tr("1 point"), tr("%1 points"))}
+  return QStringList{counted_words(network.curves.size(), tr("1 curve"), tr("%1 curves")),
+                     counted_words(network.faces.size(), tr("1 patch"), tr("%1 patches")),
+                     counted_words(network.points.size(), tr("1 point"), tr("%1 points"))}
       .join(", ");
 }
 
@@ -145,15 +142,6 @@ void add_counts(Replays& replays, const DrawnNetwork& drawn, const UniformGhost&
 
 }  // namespace
 
-std::vector<const OperationDescription*> CurveTaking::ways() const {
-  std::vector<const OperationDescription*> found;
-  for (const OperationDescription& operation : studio_.registry().descriptions()) {
-    const PortDescription* output = main_output(operation);
-    if (output != nullptr && output->type == ValueType::AttributeNetwork) found.push_back(&operation);
-  }
-  return found;
-}
-
 /// The step nearest to the chain's end that gives what the operation takes.
 std::optional<Link> CurveTaking::source_for(const OperationDescription& operation) const {
   const PortDescription* input = main_input(operation);
@@ -166,8 +154,6 @@ std::optional<Link> CurveTaking::source_for(const OperationDescription& operatio
   }
   return std::nullopt;
 }
-
-bool CurveTaking::can_take(const OperationDescription& operation) const { return source_for(operation).has_value(); }
 
 void CurveTaking::take(const std::string& id) {
   const OperationDescription* operation = studio_.description(id);
@@ -251,13 +237,12 @@ void SurfaceDrawingTool::make_actions(ActionList& actions) {
     if (host().start_with(studio().with_network(Document(), {}, studio().network_options()))) show_in_space();
   });
   file->insertAction(actions.find("open"), fresh);
-  add_surface_actions(network_, ghost_, taking_, actions);
-  add_surface_keys(host(), keys);
+  add_surface_actions(network_, ghost_, taking_, actions, keys);
 }
 
 void SurfaceDrawingTool::make_panels(PanelDocks& docks) {
   panel_ = make_surface_panel(network_);
-  domain_panel_ = new DomainPanel(network_, ghost_, host().action("compare-uniform"));
+  domain_panel_ = make_domain_panel(network_, ghost_);
   docks_ = &docks;
   dock_ = docks.add(tr("Surface"), scrolled(panel_), "surface");
   domain_dock_ = docks.add(tr("Domain"), domain_panel_, "domain");
@@ -312,7 +297,7 @@ ToolState SurfaceDrawingTool::state() const {
 
 /// What draws on patches or pulls them does nothing beside them, and says so.
 void SurfaceDrawingTool::take(const PointerEvent& event) {
-  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !pen_.down();
+  const bool begins = event.action == PointerEvent::Action::Press && event.buttons.left && !down();
   const bool needs_patch = mode_ == "inner-curve" || (mode_ == "surface-point" && !network_.tool.preview().hovered &&
                                                       network_.tool.selected().points.empty());
   const bool on_patch = network_.sight != nullptr &&

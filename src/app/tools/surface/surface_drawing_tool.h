@@ -23,11 +23,8 @@ class CurveTaking : public QObject {
  public:
   explicit CurveTaking(Studio& studio) : studio_(studio) {}
 
-  /// Operations that make networks, in the registry's order.
-  std::vector<const OperationDescription*> ways() const;
-
   /// Whether the active object, or a step of its chain, is something that the operation takes.
-  bool can_take(const OperationDescription& operation) const;
+  bool can_take(const OperationDescription& operation) const { return source_for(operation).has_value(); }
 
   /// Begins; what an earlier call began is given up.
   void take(const std::string& operation);
@@ -52,8 +49,8 @@ class CurveTaking : public QObject {
 render::Bounds bounds_of_selected(const DrawnNetwork& network);
 
 /// The actions of menus, keys and buttons, and which of them are enabled and checked now.
-void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions);
-void add_surface_keys(const ToolHost& host, ToolKeys& keys);
+void add_surface_actions(DrawnNetwork& network, UniformGhost& ghost, CurveTaking& taking, ActionList& actions,
+                         ToolKeys& keys);
 void refresh_surface_actions(const DrawnNetwork& network, const UniformGhost& ghost, const CurveTaking& taking);
 
 /// What is selected of a network, in numbers: patches, curves with their slopes, points; and how well the surfaces keep
@@ -69,7 +66,6 @@ class SurfaceDrawingTool final : public Tool {
 
   DrawnNetwork& network() { return network_; }
   const UniformGhost& ghost() const { return ghost_; }
-  const DomainPanel& domain_panel() const { return *domain_panel_; }
 
   void make_actions(ActionList& actions) override;
   void make_panels(PanelDocks& docks) override;
@@ -104,7 +100,7 @@ class SurfaceDrawingTool final : public Tool {
   CurveTaking taking_;
   SurfaceChips chips_;
   Panel* panel_ = nullptr;
-  DomainPanel* domain_panel_ = nullptr;
+  Panel* domain_panel_ = nullptr;
   PanelDocks* docks_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QDockWidget* domain_dock_ = nullptr;

@@ -45,13 +45,16 @@ const PointAttribute* first_point(DrawnNetwork& network) {
   return first_of(network.network().points, network, NetworkElement::Point, network.tool.selected().points);
 }
 
+const AttributeCurve* first_curve(DrawnNetwork& network) {
+  return first_of(network.network().curves, network, NetworkElement::Curve, network.tool.selected().curves);
+}
+
 /// The first selected curve, where it runs inside a patch.
 const InnerCurve* first_inner(DrawnNetwork& network) {
-  const std::vector<std::string> curves = network.tool.selected().curves;
-  const Index curve =
-      curves.empty() ? no_index : find_element(network.network(), NetworkElement::Curve, curves.front());
+  const AttributeCurve* curve = first_curve(network);
   for (const AttributeFace& face : network.network().faces) {
-    const auto inner = std::ranges::find(face.inner, curve, &InnerCurve::curve);
+    const auto inner = std::ranges::find_if(
+        face.inner, [&](const InnerCurve& one) { return &network.network().curves[one.curve] == curve; });
     if (inner != face.inner.end()) return &*inner;
   }
   return nullptr;
@@ -66,14 +69,26 @@ std::vector<SlopeTip> slopes_of(DrawnNetwork& network) {
   return sides;
 }
 
-void set_faces(DrawnNetwork& network, const FaceSetting& setting) {
+template <class Value>
+void set_faces(DrawnNetwork& network, std::optional<Value> FaceSetting::*member, const Value& value) {
+  FaceSetting setting;
+  setting.*member = value;
   const std::vector<std::string> faces = faces_meant(network);
   if (!faces.empty()) network.act(recorded::SurfaceFaceSetting{faces, setting, false});
 }
 
-void set_points(DrawnNetwork& network, const PointSetting& setting) {
+template <class Value>
+void set_points(DrawnNetwork& network, std::optional<Value> PointSetting::*member, const Value& value) {
+  PointSetting setting;
+  setting.*member = value;
   const std::vector<std::string> points = network.tool.selected().points;
   if (!points.empty()) network.act(recorded::SurfacePointSetting{points, setting});
+}
+
+/// The place of a choice in its list: what an element has, if it is there.
+template <class Element, class Choice>
+std::optional<int> choice_of(const Element* element, Choice Element::*member) {
+  return element == nullptr ? std::nullopt : std::optional(static_cast<int>(element->*member));
 }
 
 /// A normal that is asked for begins as the surface's own.
@@ -83,9 +98,7 @@ void set_normal(DrawnNetwork& network, bool is_given, Vec3 normal) {
   const SurfaceSight* sight = network.sight.get();
   if (!(normal.norm() > 0) && sight != nullptr) normal = sight->normal_at(point->id).value_or(Vec3::UnitY());
   if (!(normal.norm() > 0)) return;
-  PointSetting setting;
-  setting.normal = is_given ? std::optional(normal) : std::optional<Vec3>();
-  set_points(network, setting);
+  set_points(network, &PointSetting::normal, is_given ? std::optional(normal) : std::optional<Vec3>());
 }
 
 /// What is shown of the first selected point's normal.
@@ -123,20 +136,13 @@ void add_faces(Panel& panel, DrawnNetwork& network) {
       },
       [&network] { return !faces_meant(network).empty(); });
   const auto read = [&network](auto member) {
-    return [&network, member]() -> std::optional<int> {
-      const AttributeFace* face = first_face(network);
-      return face == nullptr ? std::nullopt : std::optional(static_cast<int>(face->*member));
-    };
+    return [&network, member] { return choice_of(first_face(network), member); };
   };
   add_labelled(*grid, 0, panel.label(Panel::tr("Mode")),
                panel.choice(
                    "surface-mode", {Panel::tr("smooth"), Panel::tr("from positions"), Panel::tr("as in the paper")},
                    read(&AttributeFace::mode),
-                   [&network](int index) {
-                     FaceSetting setting;
-                     setting.mode = static_cast<AttributeMode>(index);
-                     set_faces(network, setting);
-                   },
+                   [&network](int index) { set_faces(network, &FaceSetting::mode, static_cast<AttributeMode>(index)); },
                    Panel::tr("How a patch is made from its curves: with common tangent planes at smooth curves, from "
                              "the curves' positions alone, or by the formulas of the paper")));
   QDoubleSpinBox* fullness = panel.number(
@@ -145,23 +151,16 @@ void add_faces(Panel& panel, DrawnNetwork& network) {
         const AttributeFace* face = first_face(network);
         return face == nullptr ? Panel::Number() : Panel::Number{face->fullness};
       },
-      [&network](double value) {
-        FaceSetting setting;
-        setting.fullness = value;
-        set_faces(network, setting);
-      },
+      [&network](double value) { set_faces(network, &FaceSetting::fullness, value); },
       Panel::tr("How far the middle follows the slopes of the sides: 0 flat, 1 full"));
   fullness->setSingleStep(0.1);
   add_labelled(*grid, 1, panel.label(Panel::tr("Fullness")), fullness);
-  add_labelled(*grid, 2, panel.label(Panel::tr("Domain")),
-               panel.choice(
-                   "surface-domain", {Panel::tr("by lengths"), Panel::tr("uniform")}, read(&AttributeFace::domain),
-                   [&network](int index) {
-                     FaceSetting setting;
-                     setting.domain = static_cast<AttributeDomain>(index);
-                     set_faces(network, setting);
-                   },
-                   Panel::tr("The plane polygon that a patch is a map of")));
+  add_labelled(
+      *grid, 2, panel.label(Panel::tr("Domain")),
+      panel.choice(
+          "surface-domain", {Panel::tr("by lengths"), Panel::tr("uniform")}, read(&AttributeFace::domain),
+          [&network](int index) { set_faces(network, &FaceSetting::domain, static_cast<AttributeDomain>(index)); },
+          Panel::tr("The plane polygon that a patch is a map of")));
 }
 
 /// How strongly a patch leaves the selected curve, of the first or second patch beside it.
@@ -204,11 +203,7 @@ void add_curves(Panel& panel, DrawnNetwork& network) {
   add_labelled(*grid, 0, panel.label(Panel::tr("Join")),
                panel.choice(
                    "surface-join", {Panel::tr("crease"), Panel::tr("smooth")},
-                   [&network]() -> std::optional<int> {
-                     const auto* curve = first_of(network.network().curves, network, NetworkElement::Curve,
-                                                  network.tool.selected().curves);
-                     return curve == nullptr ? std::nullopt : std::optional(static_cast<int>(curve->join));
-                   },
+                   [&network] { return choice_of(first_curve(network), &AttributeCurve::join); },
                    [&network](int index) {
                      network.act(recorded::SurfaceJoin{network.tool.selected().curves, static_cast<CurveJoin>(index)});
                    },
@@ -216,10 +211,7 @@ void add_curves(Panel& panel, DrawnNetwork& network) {
   add_labelled(*grid, 1, panel.label(Panel::tr("Inner curve")),
                panel.choice(
                    "surface-inner-profile", {Panel::tr("round"), Panel::tr("ridge")},
-                   [&network]() -> std::optional<int> {
-                     const InnerCurve* inner = first_inner(network);
-                     return inner == nullptr ? std::nullopt : std::optional(static_cast<int>(inner->profile));
-                   },
+                   [&network] { return choice_of(first_inner(network), &InnerCurve::profile); },
                    [&network](int index) {
                      InnerSetting setting;
                      setting.profile = static_cast<InnerProfile>(index);
@@ -246,10 +238,9 @@ void add_coordinates(Panel& panel, DrawnNetwork& network, QGridLayout& grid) {
                        [&network, axis](double value) {
                          const PointAttribute* point = first_point(network);
                          if (point == nullptr || network.tool.selected().points.size() != 1) return;
-                         PointSetting setting;
-                         setting.point = point->point;
-                         (*setting.point)[axis] = value;
-                         set_points(network, setting);
+                         Vec3 place = point->point;
+                         place[axis] = value;
+                         set_points(network, &PointSetting::point, place);
                        }),
                    0, axis + 1);
     grid.addWidget(panel.number(
@@ -284,25 +275,17 @@ void add_points(Panel& panel, DrawnNetwork& network) {
         return Panel::Number{point == nullptr ? 0 : point->radius.value_or(0)};
       },
       [&network](double value) {
-        PointSetting setting;
-        setting.radius = value > 0 ? std::optional(value) : std::optional<double>();
-        set_points(network, setting);
+        set_points(network, &PointSetting::radius, value > 0 ? std::optional(value) : std::optional<double>());
       },
       Panel::tr("How far the point pulls: about where the surface is moved half as far as the point"));
   radius->setSpecialValueText(Panel::tr("automatic"));
   add_labelled(*grid, 1, panel.label(Panel::tr("Radius")), radius);
-  grid->addWidget(panel.choice(
-                      "surface-profile", {Panel::tr("round"), Panel::tr("tip")},
-                      [&network]() -> std::optional<int> {
-                        const PointAttribute* point = first_point(network);
-                        return point == nullptr ? 0 : static_cast<int>(point->profile);
-                      },
-                      [&network](int index) {
-                        PointSetting setting;
-                        setting.profile = static_cast<PointProfile>(index);
-                        set_points(network, setting);
-                      }),
-                  1, 2, 1, 2);
+  grid->addWidget(
+      panel.choice(
+          "surface-profile", {Panel::tr("round"), Panel::tr("tip")},
+          [&network] { return choice_of(first_point(network), &PointAttribute::profile).value_or(0); },
+          [&network](int index) { set_points(network, &PointSetting::profile, static_cast<PointProfile>(index)); }),
+      1, 2, 1, 2);
   grid->addWidget(panel.flag(
                       "surface-has-normal", Panel::tr("Normal"),
                       [&network] {
