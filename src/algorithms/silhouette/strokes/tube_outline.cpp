@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <span>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -75,13 +75,15 @@ std::string fault_of(const Drawing& drawing, Index s, double unit) {
   return {};
 }
 
-/// The radius at a sample of a stroke, where pressure or one number a sample says it.
+/// The radius at a sample of a stroke, where pressure or one number a sample says it. Pens say at their last sample that
+/// they press no more: what they did before counts there.
 double radius_at(const Stroke& stroke, const std::vector<double>& radii, std::size_t sample) {
-  if (radii.size() == stroke.samples.size()) return radii[sample];
-  const double first = stroke.samples.front().pressure;
-  const bool varies =
-      std::ranges::any_of(stroke.samples, [first](const StrokeSample& other) { return other.pressure != first; });
-  return radii.front() * (varies ? 0.4 + 1.2 * std::clamp(stroke.samples[sample].pressure, 0.0, 1.0) : 1);
+  const std::vector<StrokeSample>& samples = stroke.samples;
+  if (radii.size() == samples.size()) return radii[sample];
+  const auto differs = [&](const StrokeSample& other) { return other.pressure != samples.front().pressure; };
+  if (std::ranges::none_of(samples, differs)) return radii.front();
+  while (sample > 0 && samples[sample].pressure <= 0) --sample;
+  return radii.front() * (0.4 + 1.2 * std::clamp(samples[sample].pressure, 0.0, 1.0));
 }
 
 /// Closes a line whose end comes back to where it began; what goes on beyond that is cut off.
@@ -129,16 +131,25 @@ void refine(CentreLine& line, double spacing) {
   }
 }
 
-/// An open line is smoothed as if it went on beyond its ends as it came there, turned by half a turn: so they stay.
-Points smoothed(const Points& line, bool closed) {
+/// An open line is smoothed as if it went on beyond its ends: as it came, seen in a mirror across the end, so that it
+/// stays as curved there.
+/// @param reach over which the direction of an end is taken; 0: no mirror, but turned by half a turn, for numbers
+Points smoothed(const Points& line, bool closed, double reach) {
   TaubinOptions smoothing;
   smoothing.passes = tube_smoothing_passes;
   if (closed) return taubin_smooth(line, true, smoothing);
   const std::size_t more = std::min<std::size_t>(line.size() - 1, 2 * tube_smoothing_passes);
+  const auto beyond = [&](bool at_start, std::size_t k) -> Vec2 {
+    const Vec2& end = end_of(line, at_start);
+    const Vec2 back = (at_start ? line[k] : line[line.size() - 1 - k]) - end;
+    if (reach <= 0) return end - back;
+    const Vec2 outward = end_tangent(line, at_start, reach);
+    return end + back - 2 * back.dot(outward) * outward;
+  };
   Points led_on;
-  for (std::size_t k = more; k > 0; --k) led_on.push_back(2 * line.front() - line[k]);
+  for (std::size_t k = more; k > 0; --k) led_on.push_back(beyond(true, k));
   led_on.insert(led_on.end(), line.begin(), line.end());
-  for (std::size_t k = 1; k <= more; ++k) led_on.push_back(2 * line.back() - line[line.size() - 1 - k]);
+  for (std::size_t k = 1; k <= more; ++k) led_on.push_back(beyond(false, k));
   led_on = taubin_smooth(led_on, false, smoothing);
   const auto first = led_on.begin() + static_cast<std::ptrdiff_t>(more);
   return Points(first, first + static_cast<std::ptrdiff_t>(line.size()));
@@ -149,6 +160,7 @@ struct OutlinePoint {
   Vec2 at = Vec2::Zero();
   double along = 0;
   bool corner = false;
+  bool back = false;  ///< from here on it runs backwards along the centre line
 };
 
 using OutlinePoints = std::vector<OutlinePoint>;
@@ -167,39 +179,33 @@ OutlinePoints side_of(const CentreLine& line, int side) {
     const Vec2 out = side * std::sqrt(1 - slope * slope) * left_of(ahead) - slope * ahead;
     points.push_back({line.points[i] + line.radius[i] * out, arcs[i]});
   }
+  for (Index i = 0; i < (line.closed ? count : count - 1); ++i) {
+    const Index next = (i + 1) % count;
+    points[i].back = (points[next].at - points[i].at).dot(line.points[next] - line.points[i]) < 0;
+  }
   return points;
 }
 
-/// Cuts off the loops that one side makes where it runs backwards, within bends narrower than the tube.
-OutlinePoints without_loops(OutlinePoints side, const CentreLine& line) {
-  const std::size_t count = side.size(), segments = line.closed ? count : count - 1;
-  std::vector<bool> back(segments);
-  for (std::size_t i = 0; i < segments; ++i) {
-    const std::size_t next = (i + 1) % count;
-    back[i] = (side[next].at - side[i].at).dot(line.points[next] - line.points[i]) < 0;
+/// Cuts off the loops of a closed outline that run backwards, within bends narrower than the tube.
+OutlinePoints without_loops(OutlinePoints outline, const CentreLine& line) {
+  const std::size_t count = outline.size();
+  if (std::ranges::none_of(outline, &OutlinePoint::back)) return outline;
+  std::size_t start = 0;  // in the middle of the longest run ahead, where no loop is
+  for (std::size_t i = 0, run = 0, longest = 0; i < 2 * count; ++i) {
+    run = outline[i % count].back ? 0 : run + 1;
+    if (run > longest) std::tie(longest, start) = std::pair(run, (i + 1 + count - std::min(run, count) / 2) % count);
   }
-  if (std::ranges::none_of(back, std::identity())) return side;
-  std::size_t start = 0;
-  if (line.closed) {  // in the middle of the longest run ahead, where no loop is
-    for (std::size_t i = 0, run = 0, longest = 0; i < 2 * count; ++i) {
-      run = back[i % count] ? 0 : run + 1;
-      if (run > longest) std::tie(longest, start) = std::pair(run, (i + 1 + count - std::min(run, count) / 2) % count);
-    }
-    std::rotate(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(start), side.end());
-    std::rotate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(start), back.end());
-  }
-  const double spacing = length(line.points, line.closed) / static_cast<double>(segments);
-  const double reach = tube_loop_reach * std::ranges::max(line.radius);
-  const auto most = static_cast<std::size_t>(reach / spacing);
+  std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(start), outline.end());
+  const double spacing = length(line.points, line.closed) / static_cast<double>(line.points.size());
+  const auto most = static_cast<std::size_t>(tube_loop_reach * std::ranges::max(line.radius) / spacing);
   OutlinePoints kept;
   for (std::size_t i = 0; i < count; ++i) {
-    kept.push_back(side[i]);
+    kept.push_back(outline[i]);
     for (std::size_t k = std::min(count - 1, i + most); k-- > i + 2;) {
-      const Vec2 &a = side[i].at, &b = side[i + 1].at, &c = side[k].at, &d = side[k + 1].at;
-      const auto between = back.begin() + static_cast<std::ptrdiff_t>(i);
-      if (!segments_cross(a, b, c, d) || std::none_of(between, between + static_cast<std::ptrdiff_t>(k - i), std::identity()))
-        continue;
-      kept.push_back({a + crossing_fraction(a, b, c, d) * (b - a), side[i].along + spacing / 2, true});
+      const Vec2 &a = outline[i].at, &b = outline[i + 1].at, &c = outline[k].at, &d = outline[k + 1].at;
+      const auto between = std::span(outline).subspan(i, k - i + 1);
+      if (!segments_cross(a, b, c, d) || std::ranges::none_of(between, &OutlinePoint::back)) continue;
+      kept.push_back({a + crossing_fraction(a, b, c, d) * (b - a), outline[i].along, true});
       i = k;
       break;
     }
@@ -305,9 +311,9 @@ void add_centre_line(const Drawing& drawing, Index s, SampledDrawing& sampled) {
     points.push_back(point_at(line.points, parameter));
     thickness.emplace_back(radius, 0);
   }
-  line.points = smoothed(points, line.closed);
+  line.points = smoothed(points, line.closed, std::ranges::min(line.radius));
   line.radius.clear();
-  for (const Vec2& radius : smoothed(thickness, line.closed)) line.radius.push_back(radius.x());
+  for (const Vec2& radius : smoothed(thickness, line.closed, 0)) line.radius.push_back(radius.x());
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     line.points[i] += tube_displacement * spacing * Vec2(scattered(2 * i), scattered(2 * i + 1));
   }
@@ -318,20 +324,22 @@ std::vector<CleanLine> outlines_of_tubes(const std::vector<CentreLine>& tubes, c
   std::vector<CleanLine> lines;
   for (Index number = 0; number < tubes.size(); ++number) {
     const CentreLine& tube = tubes[number];
-    OutlinePoints right = without_loops(side_of(tube, -1), tube), left = without_loops(side_of(tube, 1), tube);
+    OutlinePoints right = side_of(tube, -1), left = side_of(tube, 1);
     if (tube.closed) {
-      lines.push_back(sampled_line(right, tube, number, 1, scale.step));
-      lines.push_back(sampled_line(left, tube, number, -1, scale.step));
+      lines.push_back(sampled_line(without_loops(std::move(right), tube), tube, number, 1, scale.step));
+      lines.push_back(sampled_line(without_loops(std::move(left), tube), tube, number, -1, scale.step));
       continue;
     }
     const double spacing = length(tube.points, false) / static_cast<double>(tube.points.size());
     add_end(tube, false, spacing, right, left.back().at);
+    for (std::size_t i = left.size(); i-- > 1;) left[i].back = left[i - 1].back;  // they run the other way there
     std::ranges::reverse(left);
-    if (tube.ends != TubeEnds::Round) left.front().corner = left.back().corner = right.front().corner = true;
+    left.back().back = false;
+    if (tube.ends != TubeEnds::Round) left.front().corner = right.front().corner = true;
     const Vec2 start = right.front().at;
     right.insert(right.end(), left.begin(), left.end());
     add_end(tube, true, spacing, right, start);
-    lines.push_back(sampled_line(right, tube, number, 1, scale.step));
+    lines.push_back(sampled_line(without_loops(std::move(right), tube), tube, number, 1, scale.step));
   }
   return lines;
 }
