@@ -316,7 +316,7 @@ TEST_CASE("a tube that can't be made is named with what to do", "[tubes]") {
   CHECK(refusal(stroke, "ends", "square").message.find("write round, flat or pointed") != std::string::npos);
   CHECK(refusal(stroke, "over", "over,up").message.find("\"up\"") != std::string::npos);
   CHECK(refusal(stroke, "radius", "1e6").message.find("shorter than its radius") != std::string::npos);
-  CHECK(refusal(stroke, "radius", "0.001").message.find("0.3 %") != std::string::npos);
+  CHECK(refusal(stroke, "radius", "0.001").message.find("0.4 %") != std::string::npos);
   const Finding thick = refusal(stroke, "radius", "160");
   INFO(thick.message);
   CHECK(thick.code == "E_TUBE");

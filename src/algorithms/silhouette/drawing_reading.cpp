@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -117,18 +118,28 @@ double typical_size(const Material& material) {
   return std::max(middle_size(std::move(strokes)), middle_size(std::move(regions)));
 }
 
+/// The same of things that are sampled as tubes should be: several places across each, but only so many along all.
+double typical_size(const std::vector<CentreLine>& tubes) {
+  constexpr double size_of_radius = 5;
+  constexpr double most_sizes = 80;
+  double radius = std::numeric_limits<double>::infinity(), along = 0;
+  for (const CentreLine& tube : tubes) {
+    const auto [thin, thick] = std::ranges::minmax(tube.radius);
+    radius = std::min(radius, std::sqrt(thin * thick));
+    along += length(tube.points, tube.closed);
+  }
+  return std::max(size_of_radius * radius, along / most_sizes);
+}
+
 /// The strokes and what they enclose. Where tolerances go by size, a sheet of many small things is sampled once more.
 void sample(Material& material) {
   const StrokeOptions& options = material.options.strokes;
-  constexpr double size_of_radius = 5;  // of a thing that is sampled as a tube should be
   material.sampled = sample_strokes(material.drawing, options);
   material.envelope = enclosed_regions(material.sampled.strokes);
   if (options.reach_share <= 0 && material.sampled.tubes.empty()) return;
   double typical = std::numeric_limits<double>::infinity();
   if (options.reach_share > 0 && !material.sampled.strokes.empty()) typical = typical_size(material);
-  for (const CentreLine& tube : material.sampled.tubes) {
-    typical = std::min(typical, size_of_radius * std::ranges::min(tube.radius));
-  }
+  if (!material.sampled.tubes.empty()) typical = std::min(typical, typical_size(material.sampled.tubes));
   if (typical >= least_typical_size * material.sampled.scale.unit) return;
   SampledDrawing finer = sample_strokes(material.drawing, options, typical);
   if (finer.scale.unit >= material.sampled.scale.unit) return;

@@ -33,6 +33,8 @@ void StrokeDrawn::describe(Fields& fields) {
   fields.require(!units || *units > 0, "\"scale\" must be a number above 0");
   scale = units.value_or(0);
   fields.seldom("behind", behind);
+  fields.seldom("tube", tube);
+  fields.require(!tube || *tube > 0, "\"tube\" must be a number above 0");
 }
 
 void StrokeReading::describe(Fields& fields) {
@@ -47,8 +49,10 @@ void StrokeReading::describe(Fields& fields) {
   fields.seldom("thickness", thickness);
   fields.require(!thickness || *thickness > 0, "\"thickness\" must be a number above 0");
   fields.seldom("title", title);
-  fields.require(kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() == 1,
-                 "one of \"kind\", \"in-front-of\", \"thickness\" and \"title\" is set");
+  fields.seldom("over", over);
+  const int set = kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value();
+  fields.require(set + over.has_value() == 1,
+                 "one of \"kind\", \"in-front-of\", \"thickness\", \"title\" and \"over\" is set");
 }
 
 const Vocabulary& sketch_steps() {

@@ -95,6 +95,7 @@ struct DrawOptions {
   bool redraws = true;          ///< a stroke that follows an old one replaces that part of it
   double redraw_distance = 10;  ///< pixels, how near the new stroke's ends must run to the old one …
   double redraw_degrees = 35;   ///< … and how much they may differ in direction
+  std::optional<double> tube = {};  ///< the stroke is the centre line of a tube of this radius; it redraws nothing
   bool behind = false;          ///< the stroke lies behind all that is drawn where they cross; it redraws nothing
 };
 

@@ -29,6 +29,9 @@ DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double 
 /// @param title empty: it is called by its shape again; @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_title(const Drawing& drawing, const std::string& id, const std::string& title);
 
+/// Says which strand of a tube is over at its crossings. @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::string& words);
+
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string title_of(const Drawing& drawing, const std::string& id);
 

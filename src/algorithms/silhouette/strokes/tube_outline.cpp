@@ -22,7 +22,7 @@ constexpr double spacing_share = 0.2;
 // Waves shorter than about twice the radius are half gone after so many passes over samples that far apart.
 constexpr int tube_smoothing_passes = 60;
 // A tube is at least so many u thick: else its outline has too few samples.
-constexpr double least_radius = 3;
+constexpr double least_radius = 4;
 // Ends within the radii of both that head for one another by 60 degrees are one place.
 constexpr double closing_cosine = 0.5;
 // Radii change at most so much along a centre line, per length.
@@ -71,7 +71,7 @@ std::string fault_of(const Drawing& drawing, Index s, double unit) {
     return " is shorter than its radius " + number_text(most, 4) + ": draw a longer line, or give it a smaller radius";
   }
   if (least < least_radius * unit)
-    return " has the radius " + number_text(least, 4) + ", which is less than 0.3 % of the drawing: give it a larger one";
+    return " has the radius " + number_text(least, 4) + ", which is less than 0.4 % of the drawing: give it a larger one";
   return {};
 }
 

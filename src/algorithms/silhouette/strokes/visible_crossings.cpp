@@ -366,7 +366,10 @@ VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<Cle
     found.in_front.emplace(cover.front, cover.behind);
     found.behind.insert(cover.behind);
     if (front.centre_line == no_index) found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
-    if (cover.is_hole || grown) continue;
+    const auto is_named = [&](const CrossingInView& pair) {  // by another outline of the same tube
+      return pair.front == last_stroke(front) && pair.behind == last_stroke(line);
+    };
+    if (cover.is_hole || grown || (stays && std::ranges::any_of(found.pairs, is_named))) continue;
     const bool whole = line.closed && front.closed && !front.bridged;
     found.pairs.push_back({last_stroke(front), last_stroke(line), *at, cover.chosen, whole});
   }
