@@ -143,8 +143,9 @@ Report to_report(const InflateResult& result) {
 
 std::size_t byte_size(const InflateResult& result) {
   return sizeof result + heap_size(result.kinds) + heap_size(result.objects) + heap_size(result.arcs) +
-         heap_size(result.overlaps) + heap_size(result.tube_swaps) + heap_size(result.shells) + heap_size(result.attached) +
-         heap_size(result.suggested) + heap_size(result.nested) + heap_size(result.crossings_in_view);
+         heap_size(result.overlaps) + heap_size(result.tube_swaps) + heap_size(result.shells) +
+         heap_size(result.attached) + heap_size(result.suggested) + heap_size(result.nested) +
+         heap_size(result.crossings_in_view);
 }
 
 Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled, const std::vector<ArcLabel>& arcs) {

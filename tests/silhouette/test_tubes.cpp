@@ -47,17 +47,19 @@ std::vector<TubeSketch> tube_sketches() {
     return Vec2((60 + 340 * t) * std::cos(1.3 * turn * t), (60 + 340 * t) * std::sin(1.3 * turn * t));
   };
   const auto snake = [](double t) { return Vec2(200 * std::sin(turn * t), 800 * t); };
-  return {{"trefoil", torus_knot(2, 3, 0.45), true, 34, 3}, {"figure eight", figure_eight, true, 24, 4},
-          {"(2,5) knot", torus_knot(2, 5, 0.4), true, 30, 5}, {"spiral", spiral, false, 40, 0},
+  return {{"trefoil", torus_knot(2, 3, 0.45), true, 34, 3},
+          {"figure eight", figure_eight, true, 24, 4},
+          {"(2,5) knot", torus_knot(2, 5, 0.4), true, 30, 5},
+          {"spiral", spiral, false, 40, 0},
           {"S", snake, false, 45, 0}};
 }
 
 /// How a hand draws it.
 struct Drawn {
   int samples = 200;
-  double noise = 0;      ///< of the size of the curve: waves of a tenth to a third of it
-  double pressure = 0;   ///< it varies by so much
-  double angle = 0.3;    ///< that it is turned by
+  double noise = 0;     ///< of the size of the curve: waves of a tenth to a third of it
+  double pressure = 0;  ///< it varies by so much
+  double angle = 0.3;   ///< that it is turned by
   double scale = 1;
 };
 
@@ -73,7 +75,8 @@ Stroke tube_stroke(const TubeSketch& sketch, const Drawn& drawn, std::uint64_t s
     const double t = i / static_cast<double>(sketch.closed ? drawn.samples : drawn.samples - 1);
     Vec2 place = sketch.curve(t);
     for (int k = 0; k < 8; ++k) {
-      place += 600 * drawn.noise / 2 * std::sin(turn * (k + 5) * t + phase * (k + 1)) * waves[static_cast<std::size_t>(k)];
+      place +=
+          600 * drawn.noise / 2 * std::sin(turn * (k + 5) * t + phase * (k + 1)) * waves[static_cast<std::size_t>(k)];
     }
     const double pressure = 0.5 + drawn.pressure * std::sin(3 * turn * t + phase);
     stroke.samples.push_back({drawn.scale * (Eigen::Rotation2Dd(drawn.angle) * place), pressure, Vec2::Zero(), 0});

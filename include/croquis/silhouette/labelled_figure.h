@@ -76,7 +76,7 @@ struct FigureOverlap {
   /// Corners of the region, indices into LabelledFigure::crossings, ascending: four where a tube crosses a tube, two
   /// where one's end lies over or under the other, none where the upper one lies wholly before the lower one.
   std::vector<Index> crossings;
-  bool whole_outlines = false;  ///< both are closed outlines that cross in full view
+  bool whole_outlines = false;     ///< both are closed outlines that cross in full view
   Index tube_crossing = no_index;  ///< index into LabelledDrawing::tube_crossings, for strands of tubes
 };
 

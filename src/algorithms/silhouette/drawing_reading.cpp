@@ -443,8 +443,9 @@ Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const st
   for (const Index overlap : overlaps) {
     const bool known = overlap < crossings.size();
     if (!known || crossings[overlap] == no_index) {
-      const std::string why = known ? " isn't of two strands of tubes: say by data-behind what lies behind"
-                                    : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
+      const std::string why =
+          known ? " isn't of two strands of tubes: say by data-behind what lies behind"
+                : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
       const std::string sentence = "The overlap " + std::to_string(overlap) + why + ", counted from 0";
       throw Error(make_error(Category::Usage, "E_SWAP", sentence, {{SubjectKind::Parameter, "swap", {}, {}, {}}}));
     }
@@ -468,7 +469,7 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
     key.add(options.strokes).add(options.completion).add(options.attach_suggested).add(options.swaps);
   }
   const auto labelled = cached<LabelledDrawing>(
-      options.cache, "silhouette labels", key, 
+      options.cache, "silhouette labels", key,
       [&] {
         LabelledDrawing read = read_drawing(drawing, options, progress);
         if (options.swaps.empty()) return read;

@@ -66,8 +66,8 @@ struct ContourCrossing {
   };
 
   std::array<Strand, 2> strands;
-  int sign = 0;           ///< of cross(direction of the first, direction of the second)
-  Index over = no_index;  ///< the strand in front where that is known: at a T-junction the bar
+  int sign = 0;              ///< of cross(direction of the first, direction of the second)
+  Index over = no_index;     ///< the strand in front where that is known: at a T-junction the bar
   Index passing = no_index;  ///< of tubes: index into VisibleCrossings::passings
 };
 

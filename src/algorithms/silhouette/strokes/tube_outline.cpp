@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <numbers>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -71,12 +71,13 @@ std::string fault_of(const Drawing& drawing, Index s, double unit) {
     return " is shorter than its radius " + number_text(most, 4) + ": draw a longer line, or give it a smaller radius";
   }
   if (least < least_radius * unit)
-    return " has the radius " + number_text(least, 4) + ", which is less than 0.4 % of the drawing: give it a larger one";
+    return " has the radius " + number_text(least, 4) +
+           ", which is less than 0.4 % of the drawing: give it a larger one";
   return {};
 }
 
-/// The radius at a sample of a stroke, where pressure or one number a sample says it. Pens say at their last sample that
-/// they press no more: what they did before counts there.
+/// The radius at a sample of a stroke, where pressure or one number a sample says it. Pens say at their last sample
+/// that they press no more: what they did before counts there.
 double radius_at(const Stroke& stroke, const std::vector<double>& radii, std::size_t sample) {
   const std::vector<StrokeSample>& samples = stroke.samples;
   if (radii.size() == samples.size()) return radii[sample];

@@ -74,8 +74,8 @@ std::vector<TubePassing> crossings_of_centre_lines(const std::vector<CentreLine>
                      lines[contact.b.line].along(contact.b, contact.fraction_b)};
     const Vec2 u = (contact.a.b - contact.a.a).normalized(), v = (contact.b.b - contact.b.a).normalized();
     const double sine = std::max(least_sine, std::abs(cross(u, v)));
-    const double both = radius_along(tubes[passing.tube[0]], passing.along[0]) +
-                        radius_along(tubes[passing.tube[1]], passing.along[1]);
+    const double both =
+        radius_along(tubes[passing.tube[0]], passing.along[0]) + radius_along(tubes[passing.tube[1]], passing.along[1]);
     for (std::size_t k = 0; k < 2; ++k) {
       const CentreLine& tube = tubes[passing.tube[k]];
       passing.reach[k] = reach_share * both / sine;
@@ -96,7 +96,8 @@ Finding overlap_beside(const Drawing& drawing, const std::vector<CentreLine>& tu
                        const TubePlace& b, const Vec2& at) {
   const CentreLine &first = tubes[a.tube], &second = tubes[b.tube];
   const double period = first.closed ? length(first.points, true) : std::numeric_limits<double>::infinity();
-  const bool bend = a.tube == b.tube && apart(a.along, b.along, period) < tube_loop_reach * radius_along(first, a.along);
+  const bool bend =
+      a.tube == b.tube && apart(a.along, b.along, period) < tube_loop_reach * radius_along(first, a.along);
   const std::string place = " at (" + number_text(at.x(), 5) + ", " + number_text(-at.y(), 5) + "): ";
   std::string sentence = "The tube " + in_quotes(drawing, first.stroke);
   std::vector<Subject> subjects{stroke_subject(drawing, first.stroke, at)};
@@ -143,8 +144,8 @@ void match_outlines(const Drawing& drawing, const std::vector<CentreLine>& tubes
   for (Index k = 0; k < corners.size(); ++k) {
     const TubePassing& passing = found.all[k];
     const TubePlace a{passing.tube[0], passing.along[0]}, b{passing.tube[1], passing.along[1]};
-    const bool at_end = is_at_end(tubes[a.tube], a.along, passing.reach[0]) ||
-                        is_at_end(tubes[b.tube], b.along, passing.reach[1]);
+    const bool at_end =
+        is_at_end(tubes[a.tube], a.along, passing.reach[0]) || is_at_end(tubes[b.tube], b.along, passing.reach[1]);
     if (corners[k] == 4 || (at_end && corners[k] == 2)) {
       kept.push_back(passing);
     } else if (corners[k] != 0 || !at_end) {

@@ -365,7 +365,8 @@ VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<Cle
     if (!at) continue;
     found.in_front.emplace(cover.front, cover.behind);
     found.behind.insert(cover.behind);
-    if (front.centre_line == no_index) found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
+    if (front.centre_line == no_index)
+      found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
     const auto is_named = [&](const CrossingInView& pair) {  // by another outline of the same tube
       return pair.front == last_stroke(front) && pair.behind == last_stroke(line);
     };

@@ -315,10 +315,10 @@ ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
 /// Beside the mark that shows the two strands.
 ChipRow::Chip SketchChips::chip_of(const TubeSwap& swap) const {
   constexpr double beside_mark = 22;  // logical pixels
-  const QString sentence = swap.front == swap.behind
-                               ? tr("%1 passes over itself. Click to swap the strands").arg(name_of(swap.front))
-                               : tr("In front: %1. Behind: %2. Click to swap them")
-                                     .arg(name_of(swap.front), name_of(swap.behind));
+  const QString sentence =
+      swap.front == swap.behind
+          ? tr("%1 passes over itself. Click to swap the strands").arg(name_of(swap.front))
+          : tr("In front: %1. Behind: %2. Click to swap them").arg(name_of(swap.front), name_of(swap.behind));
   return {swap.at, {"crossing-in-view", {}, sentence, Strength::Plain}, beside_mark};
 }
 
