@@ -88,16 +88,16 @@
         <translation>작업이 백업되지 않고 있습니다: %1.</translation>
     </message>
     <message>
-        <source>auto</source>
-        <translation>자동</translation>
+        <source>Unit: %1</source>
+        <translation>단위: %1</translation>
     </message>
     <message>
         <source>Reset to default</source>
         <translation>기본값으로 재설정</translation>
     </message>
     <message>
-        <source>Unit: %1</source>
-        <translation>단위: %1</translation>
+        <source>auto</source>
+        <translation>자동</translation>
     </message>
     <message>
         <source>Keep proportions</source>
@@ -460,6 +460,10 @@
         <translation>선택된 구멍이 없습니다. 목록이나 뷰에서 구멍을 클릭하세요</translation>
     </message>
     <message>
+        <source>Select two rims to bridge: click one, then Shift+click the other</source>
+        <translation>브리지할 구멍 가장자리 두 개를 선택하세요. 하나를 클릭한 다음 다른 하나를 Shift+클릭합니다</translation>
+    </message>
+    <message>
         <source>Fill selected</source>
         <translation>선택한 구멍 메우기</translation>
     </message>
@@ -514,10 +518,6 @@
     <message>
         <source>Method: flat</source>
         <translation>방법: 평평하게</translation>
-    </message>
-    <message>
-        <source>Select two rims to bridge: click one, then Shift+click the other</source>
-        <translation>브리지할 구멍 가장자리 두 개를 선택하세요. 하나를 클릭한 다음 다른 하나를 Shift+클릭합니다</translation>
     </message>
     <message>
         <source>O looks for the holes of this mesh</source>
@@ -606,6 +606,38 @@
     <message>
         <source>%1 GB</source>
         <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>No holes</source>
+        <translation>구멍 없음</translation>
+    </message>
+    <message>
+        <source>%1 filled</source>
+        <translation>%1 메움</translation>
+    </message>
+    <message>
+        <source>%1 open</source>
+        <translation>%1개 열림</translation>
+    </message>
+    <message>
+        <source>%1 border left open</source>
+        <translation>경계 %1개 열어 둠</translation>
+    </message>
+    <message>
+        <source>%1 borders left open</source>
+        <translation>경계 %1개 열어 둠</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1개 실패</translation>
+    </message>
+    <message>
+        <source>1 hole: </source>
+        <translation>구멍 1개: </translation>
+    </message>
+    <message>
+        <source>%1 holes: </source>
+        <translation>구멍 %1개: </translation>
     </message>
     <message>
         <source>Fill %1 up to %2</source>
@@ -776,6 +808,10 @@
         <translation>지브라</translation>
     </message>
     <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 외 %2개</translation>
+    </message>
+    <message>
         <source>small</source>
         <translation>작은 구멍</translation>
     </message>
@@ -806,42 +842,6 @@
     <message>
         <source>filled</source>
         <translation>메움</translation>
-    </message>
-    <message>
-        <source>No holes</source>
-        <translation>구멍 없음</translation>
-    </message>
-    <message>
-        <source>%1 filled</source>
-        <translation>%1 메움</translation>
-    </message>
-    <message>
-        <source>%1 open</source>
-        <translation>%1개 열림</translation>
-    </message>
-    <message>
-        <source>%1 border left open</source>
-        <translation>경계 %1개 열어 둠</translation>
-    </message>
-    <message>
-        <source>%1 borders left open</source>
-        <translation>경계 %1개 열어 둠</translation>
-    </message>
-    <message>
-        <source>%1 failed</source>
-        <translation>%1개 실패</translation>
-    </message>
-    <message>
-        <source>1 hole: </source>
-        <translation>구멍 1개: </translation>
-    </message>
-    <message>
-        <source>%1 holes: </source>
-        <translation>구멍 %1개: </translation>
-    </message>
-    <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 외 %2개</translation>
     </message>
     <message>
         <source>Hole %1: %2 edges, %3 round</source>
@@ -1252,6 +1252,14 @@
         <translation>선택한 에지의 날카로움(레벨 단위): 0은 매끄러움, 10 이상은 항상 날카로움</translation>
     </message>
     <message>
+        <source>By angle</source>
+        <translation>각도 기준</translation>
+    </message>
+    <message>
+        <source>Drag: edges whose faces meet at a greater angle are selected and counted</source>
+        <translation>드래그: 페이스가 이보다 큰 각도로 만나는 에지를 선택하고 개수를 셉니다</translation>
+    </message>
+    <message>
         <source>Least angle of edges to select</source>
         <translation>선택할 에지의 최소 각도</translation>
     </message>
@@ -1260,12 +1268,12 @@
         <translation>페이스가 이보다 큰 각도로 만나는 모든 에지를 날카롭게 합니다</translation>
     </message>
     <message>
-        <source>By angle</source>
-        <translation>각도 기준</translation>
+        <source>%1 pins</source>
+        <translation>고정 정점 %1개</translation>
     </message>
     <message>
-        <source>Drag: edges whose faces meet at a greater angle are selected and counted</source>
-        <translation>드래그: 페이스가 이보다 큰 각도로 만나는 에지를 선택하고 개수를 셉니다</translation>
+        <source>%1 edges, %2</source>
+        <translation>에지 %1개, %2</translation>
     </message>
     <message>
         <source>Crease sets</source>
@@ -1298,14 +1306,6 @@
     <message>
         <source>Forgets the set; its edges stay as sharp as they are</source>
         <translation>세트를 삭제합니다. 에지의 날카로움은 그대로 유지됩니다</translation>
-    </message>
-    <message>
-        <source>%1 pins</source>
-        <translation>고정 정점 %1개</translation>
-    </message>
-    <message>
-        <source>%1 edges, %2</source>
-        <translation>에지 %1개, %2</translation>
     </message>
     <message>
         <source>Sharp edges</source>
@@ -1744,6 +1744,10 @@
         <translation>그리기</translation>
     </message>
     <message>
+        <source>Draw tubes</source>
+        <translation>튜브 그리기</translation>
+    </message>
+    <message>
         <source>Erase</source>
         <translation>지우기</translation>
     </message>
@@ -1758,6 +1762,18 @@
     <message>
         <source>Second one on the far side</source>
         <translation>반대쪽에 하나 더</translation>
+    </message>
+    <message>
+        <source>Tube radius</source>
+        <translation>튜브 반지름</translation>
+    </message>
+    <message>
+        <source>%1 % of the view</source>
+        <translation>뷰의 %1 %</translation>
+    </message>
+    <message>
+        <source>Draw the middle line of a tube, it may cross itself: pressure makes it thicker · D draws outlines</source>
+        <translation>튜브의 중심선을 그립니다. 자신과 교차해도 됩니다 · 필압을 주면 굵어집니다 · D는 윤곽선을 그립니다</translation>
     </message>
     <message>
         <source>Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws</source>
@@ -1880,6 +1896,10 @@
         <translation>앞: %1. 뒤: %2. 클릭하면 서로 바뀝니다</translation>
     </message>
     <message>
+        <source>%1 passes over itself. Click to swap the strands</source>
+        <translation>%1이(가) 자신의 위로 지나갑니다. 클릭하면 두 가닥이 뒤바뀝니다</translation>
+    </message>
+    <message>
         <source>%1: %2. Click (with Q) to make it something else</source>
         <translation>%1: %2. (Q 모드에서) 클릭하면 다른 종류로 바꿀 수 있습니다</translation>
     </message>
@@ -1988,6 +2008,18 @@
         <translation>1: 케이지, 2: 둘 다, 3: 스무스 · Page Up/Page Down: 레벨 변경 · F10: 날카롭게 할 에지 선택</translation>
     </message>
     <message>
+        <source>Stretch %1×</source>
+        <translation>늘어남 %1×</translation>
+    </message>
+    <message>
+        <source> (uniform %1×)</source>
+        <translation> (균일 %1×)</translation>
+    </message>
+    <message>
+        <source>Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)</source>
+        <translation>포인트 %1의 함몰: 어긋남 %2 (균일 %3), 길이가 너비의 %4배 (균일 %5)</translation>
+    </message>
+    <message>
         <source>Select a patch or a point to see its domain</source>
         <translation>패치나 점을 선택하면 도메인이 표시됩니다</translation>
     </message>
@@ -2006,18 +2038,6 @@
     <message>
         <source>Patch %1</source>
         <translation>패치 %1</translation>
-    </message>
-    <message>
-        <source>Stretch %1×</source>
-        <translation>늘어남 %1×</translation>
-    </message>
-    <message>
-        <source> (uniform %1×)</source>
-        <translation> (균일 %1×)</translation>
-    </message>
-    <message>
-        <source>Dent of point %1: off by %2 (uniform %3), %4 times as long as wide (uniform %5)</source>
-        <translation>포인트 %1의 함몰: 어긋남 %2 (균일 %3), 길이가 너비의 %4배 (균일 %5)</translation>
     </message>
     <message>
         <source>Mirror across %1 = 0</source>
@@ -4478,6 +4498,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Bring %1 in front of %2</source>
         <translation>%1을(를) %2 앞으로 가져오기</translation>
+    </message>
+    <message>
+        <source>Swap strands of %1</source>
+        <translation>%1의 가닥 뒤바꾸기</translation>
     </message>
     <message>
         <source>Find what %1 is</source>

@@ -2,6 +2,9 @@
 #include <numeric>
 #include <utility>
 
+#include "croquis/base/error.h"
+#include "croquis/base/parameter.h"
+#include "croquis/base/text.h"
 #include "croquis/geometry/affine3.h"
 #include "croquis/operators/attach_text.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -14,6 +17,19 @@ namespace croquis {
 namespace {
 
 using silhouette::Options;
+
+/// @throws Error with one E_PARAMETER for every entry that is no index
+std::vector<Index> read_swaps(const std::string& text) {
+  std::vector<Index> swaps;
+  Findings findings;
+  for (const std::string_view entry : text_parts(text, ";, ")) {
+    if (!read_number(entry, swaps.emplace_back())) {
+      findings.push_back(refused_value("swap", entry, "the index of an overlap in the report, such as 0"));
+    }
+  }
+  if (!findings.empty()) throw Error(std::move(findings));
+  return swaps;
+}
 
 void list_inflate_parameters(Options& options, ParameterList& list) {
   list.choice_of(
@@ -56,6 +72,12 @@ void list_inflate_parameters(Options& options, ParameterList& list) {
               options.attach_suggested = attach.suggested;
             })
       .titled("How parts are joined")
+      .at(ParameterPlace::Nowhere);
+  list.list("swap",
+            "Overlaps of tubes, by their index in the report, at which the lower strand comes to the front: a knot "
+            "becomes another one.",
+            [&](const std::string& text) { options.swaps = read_swaps(text); })
+      .titled("Overlaps swapped")
       .at(ParameterPlace::Nowhere);
   list.choice(
           "crossings", options.strokes.crossings, {"front", "refuse"},

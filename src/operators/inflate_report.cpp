@@ -48,6 +48,21 @@ void add_overlaps(const LabelledFigure& figure, InflateResult& result) {
   }
 }
 
+void add_tube_swaps(const Drawing& drawing, const LabelledDrawing& labelled, InflateResult& result) {
+  Index number = 0;
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const silhouette::FigureOverlap& overlap : figure.overlaps) {
+      const Index index = number++;
+      if (overlap.tube_crossing == no_index) continue;
+      const silhouette::TubeCrossing& crossing = labelled.tube_crossings[overlap.tube_crossing];
+      const Drawing swapped = swap_overlaps(drawing, labelled, {index});
+      const std::string &own = drawing.strokes[crossing.stroke].id, &other = drawing.strokes[crossing.other].id;
+      result.tube_swaps.push_back({crossing.at, crossing.over ? own : other, crossing.over ? other : own, own,
+                                   swapped.strokes[crossing.stroke].data.at(silhouette::over_key)});
+    }
+  }
+}
+
 void add_solid(const Drawing& drawing, const LabelledDrawing& labelled, const Solid& solid, InflateResult& result) {
   for (const silhouette::SolidObject& object : solid.objects) {
     InflatedObject inflated{object.name, {}, object.euler_region, object.euler_mesh, object.thickness};
@@ -94,6 +109,7 @@ InflateResult result_of_inflating(const Drawing& drawing, const LabelledDrawing&
       result.nested.push_back({drawing.strokes[stroke].id, drawing.strokes[around].id, hole, chosen, at});
     }
   }
+  add_tube_swaps(drawing, labelled, result);
   add_solid(drawing, labelled, solid, result);
   return result;
 }
@@ -127,8 +143,9 @@ Report to_report(const InflateResult& result) {
 
 std::size_t byte_size(const InflateResult& result) {
   return sizeof result + heap_size(result.kinds) + heap_size(result.objects) + heap_size(result.arcs) +
-         heap_size(result.overlaps) + heap_size(result.shells) + heap_size(result.attached) +
-         heap_size(result.suggested) + heap_size(result.nested) + heap_size(result.crossings_in_view);
+         heap_size(result.overlaps) + heap_size(result.tube_swaps) + heap_size(result.shells) +
+         heap_size(result.attached) + heap_size(result.suggested) + heap_size(result.nested) +
+         heap_size(result.crossings_in_view);
 }
 
 Drawing label_drawing(const Drawing& drawing, const LabelledDrawing& labelled, const std::vector<ArcLabel>& arcs) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <set>
 #include <sstream>
@@ -279,6 +280,39 @@ TEST_CASE("a mouth is drawn on the solid, or cut into it where that is asked for
     CHECK((more > 0) == (std::string(shape) == "ridge"));
     CHECK(run_cli({"check", folder / "a.obj"}).code == 0);
   }
+}
+
+TEST_CASE("a tube with a radius is a knot in one stroke, and a swap another one") {
+  const ScratchFolder folder;
+  std::string path = "M";
+  for (int i = 0; i < 120; ++i) {
+    const double t = i * 0.05235987755982989, out = 200 + 90 * std::cos(3 * t);
+    path += (i == 0 ? "" : "L") + std::to_string(out * std::cos(2 * t)) + "," + std::to_string(out * std::sin(2 * t));
+  }
+  const auto sketch = [&](const std::string& data) {
+    return folder.write("knot.svg", svg("<path id=\"knot\" data-kind=\"tube\" " + data + " d=\"" + path + "Z\"/>"));
+  };
+  const std::string good = sketch("data-radius=\"24\"");
+  const Json plain = report_of(run_cli({"inflate", good, "-o", folder / "knot.obj", "--json"}));
+  CHECK(plain.at("details").at("overlaps").size() == 3);
+  CHECK(plain.at("mesh").at("euler_characteristic") == 0);
+  CHECK(plain.at("mesh").at("self_intersections") == 0);
+  CHECK(plain.at("details").at("kinds").at("knot") == "tube");
+  CHECK(run_cli({"check", folder / "knot.obj"}).code == 0);
+  CHECK(run_cli({"inflate", good, "-o", folder / "other.obj", "--swap", "0", "--swap", "2"}).code == 0);
+  CHECK(slurp(folder / "other.obj") != slurp(folder / "knot.obj"));
+  const ProcessResult missing = run_cli({"inflate", good, "-o", folder / "bad.obj", "--swap", "3"});
+  CHECK(missing.code == 2);
+  CHECK(missing.err.find("overlap 3 doesn't exist") != std::string::npos);
+  for (const std::string data : {"data-radius=\"0\"", "data-radius=\"90\"", "data-radius=\"9\" data-ends=\"cut\""}) {
+    const ProcessResult refused = run_cli({"inflate", sketch(data), "-o", folder / "bad.obj", "--json"});
+    INFO(data << refused.err);
+    CHECK(refused.code == 4);
+    const Json error = Json::parse(refused.out).at("error");
+    CHECK(error.at("code") == "E_TUBE");
+    CHECK(error.at("subject").at(0).at("id") == "knot");
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "bad.obj"));
 }
 
 TEST_CASE("sketches that can't be read are exit code 3") {

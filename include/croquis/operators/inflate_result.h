@@ -68,6 +68,14 @@ inline auto described(const StrandOverlap& overlap) {
 }
 static_assert(describes_every_member<StrandOverlap>);
 
+/// Where a tube passes over another one, or itself, and what turns that round; it isn't in the report.
+struct TubeSwap {
+  Vec2 at = Vec2::Zero();
+  std::string front, behind;  ///< ids of strokes
+  std::string stroke;         ///< id of the one whose words are written
+  std::string over;           ///< those words, see silhouette::over_key
+};
+
 /// Two objects that may be attached, and how.
 struct SuggestedJoint {
   std::string a, b;  ///< names of objects
@@ -126,6 +134,7 @@ struct InflateResult {
   int panels = 0;
   std::size_t components = 0;
   std::vector<StrandOverlap> overlaps;
+  std::vector<TubeSwap> tube_swaps;
   std::vector<InflatedShell> shells;
   std::vector<silhouette::SolidAttachment> attached;
   std::vector<SuggestedJoint> suggested;

@@ -43,6 +43,15 @@ struct FigureCrossing {
   Index under_position = 0;
 };
 
+/// Two tubes that were drawn as centre lines, or one with itself, pass over one another here.
+struct TubeCrossing {
+  Index stroke = 0;  ///< the later one of both: index into Drawing::strokes
+  Index other = 0;   ///< the same stroke where it crosses itself
+  Index word = 0;    ///< which of the stroke's crossings this is, see `over_key`
+  bool over = true;  ///< the stroke lies in front, where it first comes here
+  Vec2 at = Vec2::Zero();
+};
+
 /// A hidden contour piece that joins two stroke ends.
 struct FigureCompletion {
   std::vector<Vec2> points;  ///< from the one end to the other, both included
@@ -67,7 +76,8 @@ struct FigureOverlap {
   /// Corners of the region, indices into LabelledFigure::crossings, ascending: four where a tube crosses a tube, two
   /// where one's end lies over or under the other, none where the upper one lies wholly before the lower one.
   std::vector<Index> crossings;
-  bool whole_outlines = false;  ///< both are closed outlines that cross in full view
+  bool whole_outlines = false;     ///< both are closed outlines that cross in full view
+  Index tube_crossing = no_index;  ///< index into LabelledDrawing::tube_crossings, for strands of tubes
 };
 
 /// A closed outline drawn within another one's surface, and how it is read.
@@ -122,6 +132,7 @@ struct LabelledDrawing {
   std::vector<LabelledFigure> figures;  ///< independent parts that could be labelled
   std::vector<StrokeKind> kinds;        ///< per stroke of the drawing, none of them Visible
   std::vector<CrossingInView> crossings;
+  std::vector<TubeCrossing> tube_crossings;
   Findings findings;  ///< warnings, and the errors of parts that could not
 };
 
@@ -130,5 +141,10 @@ struct LabelledDrawing {
 /// One bad part doesn't stop the others; all findings of the drawing come at once.
 /// @throws Error carrying all findings when no part can be labelled; Cancelled
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress);
+
+/// The drawing with what lies over what turned round where tubes cross: the "over" of strokes is written.
+/// @param overlaps those of all figures counted through, in their order
+/// @throws Error (E_SWAP) naming the first one that isn't of strands of tubes
+Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps);
 
 }  // namespace croquis::silhouette

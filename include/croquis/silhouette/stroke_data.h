@@ -22,7 +22,7 @@ enum class StrokeKind {
   Blob,      ///< "blob": it bounds a small part on another one, such as an eye or a button
   Detail,    ///< "detail": a line on the surface, such as a mouth or a fold
   Scribble,  ///< "scribble": many of them drawn in one go, such as fur
-  Tube,      ///< "tube": a limb of one line, such as a leg, a tail or an arm
+  Tube,      ///< "tube": a limb of one line, such as a leg, a tail or an arm; with a radius a tube's centre line
   Ignored    ///< "ignored": no part of the drawing, such as a letter
 };
 
@@ -45,6 +45,36 @@ inline constexpr const char* behind_all = "all";
 inline constexpr const char* copy_key = "copy";
 inline constexpr const char* copy_far = "far";
 bool has_far_copy(const std::map<std::string, std::string>& data);  ///< of a stroke or a group
+
+/// "radius", of kind "tube": the stroke is the centre line of a tube. One number above 0 in the drawing's units, or
+/// several separated by commas: one a sample, else spread evenly over the length. One number is multiplied by 0.4 + 1.2
+/// times the pen's pressure where that varies.
+inline constexpr const char* radius_key = "radius";
+
+/// "ends", of an open tube.
+enum class TubeEnds {
+  Round,   ///< "round", or not given: half circles around its ends
+  Flat,    ///< "flat": it stops at its ends
+  Pointed  ///< "pointed": tips beyond its ends
+};
+
+inline constexpr const char* ends_key = "ends";
+
+/// "over": a word for each crossing of a tube with itself or another tube, separated by commas, in the order in which
+/// its centre line first comes there. The word of the later one of two tubes counts more.
+inline constexpr const char* over_key = "over";
+inline constexpr std::string_view over_word = "over";    ///< it passes over there
+inline constexpr std::string_view under_word = "under";  ///< it passes under
+inline constexpr std::string_view auto_word = "auto";    ///< over and under by turns; the later of two tubes is over
+
+/// Whether a stroke is the centre line of a tube.
+bool is_centre_line(const Stroke& stroke);
+
+/// None for a word that is no shape of ends.
+std::optional<TubeEnds> tube_ends(std::string_view word);
+
+/// The words of a tube's crossings; views of its data.
+std::vector<std::string_view> over_words(const Stroke& stroke);
 
 /// None for a word that is no kind.
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke);

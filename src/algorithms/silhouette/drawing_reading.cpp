@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "algorithms/silhouette/strokes/visible_crossings.h"
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
@@ -115,13 +118,28 @@ double typical_size(const Material& material) {
   return std::max(middle_size(std::move(strokes)), middle_size(std::move(regions)));
 }
 
+/// The same of things that are sampled as tubes should be: several places across each, but only so many along all.
+double typical_size(const std::vector<CentreLine>& tubes) {
+  constexpr double size_of_radius = 5;
+  constexpr double most_sizes = 80;
+  double radius = std::numeric_limits<double>::infinity(), along = 0;
+  for (const CentreLine& tube : tubes) {
+    const auto [thin, thick] = std::ranges::minmax(tube.radius);
+    radius = std::min(radius, std::sqrt(thin * thick));
+    along += length(tube.points, tube.closed);
+  }
+  return std::max(size_of_radius * radius, along / most_sizes);
+}
+
 /// The strokes and what they enclose. Where tolerances go by size, a sheet of many small things is sampled once more.
 void sample(Material& material) {
   const StrokeOptions& options = material.options.strokes;
   material.sampled = sample_strokes(material.drawing, options);
   material.envelope = enclosed_regions(material.sampled.strokes);
-  if (options.reach_share <= 0) return;
-  const double typical = typical_size(material);
+  if (options.reach_share <= 0 && material.sampled.tubes.empty()) return;
+  double typical = std::numeric_limits<double>::infinity();
+  if (options.reach_share > 0 && !material.sampled.strokes.empty()) typical = typical_size(material);
+  if (!material.sampled.tubes.empty()) typical = std::min(typical, typical_size(material.sampled.tubes));
   if (typical >= least_typical_size * material.sampled.scale.unit) return;
   SampledDrawing finer = sample_strokes(material.drawing, options, typical);
   if (finer.scale.unit >= material.sampled.scale.unit) return;
@@ -156,6 +174,7 @@ void add_nested(const Drawing& drawing, LabelledDrawing& labelled) {
 std::vector<StrokeKind> kinds_of(const Material& material, const Reading& reading) {
   std::vector<StrokeKind> kinds(material.drawing.strokes.size(), StrokeKind::Ignored);
   for (const SampledStroke& hidden : material.sampled.hidden) kinds[hidden.stroke] = StrokeKind::Hidden;
+  for (const CentreLine& tube : material.sampled.tubes) kinds[tube.stroke] = StrokeKind::Tube;
   for (Index s = 0; s < reading.kinds.size(); ++s) {
     StrokeKind& kind = kinds[material.sampled.strokes[s].stroke];
     switch (reading.kinds[s]) {
@@ -205,11 +224,13 @@ void add_dots(const Material& material, LabelledDrawing& labelled) {
   }
 }
 
-void mark_tubes(LabelledDrawing& labelled) {
+void mark_limbs(const Drawing& drawing, LabelledDrawing& labelled) {
+  const auto is_limb = [&](Index stroke) {
+    return labelled.kinds[stroke] == StrokeKind::Tube && !is_centre_line(drawing.strokes[stroke]);
+  };
   for (LabelledFigure& figure : labelled.figures) {
     for (FigureObject& object : figure.objects) {
-      object.tube =
-          std::ranges::all_of(object.strokes, [&](Index stroke) { return labelled.kinds[stroke] == StrokeKind::Tube; });
+      object.tube = std::ranges::all_of(object.strokes, is_limb);
     }
   }
 }
@@ -231,18 +252,23 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (CleanLine& line : tube_outlines(material.sampled, reading, lines, material.envelope.diagonal))
     lines.push_back(std::move(line));
   if (material.options.attach_suggested) lead_into_neighbours(lines, scale);
+  std::ranges::move(outlines_of_tubes(material.sampled.tubes, scale), std::back_inserter(lines));
   const bool tubes_only = options.crossings != Crossings::Front;
   VisibleCrossings order = order_visible_crossings(drawing, lines, scale, tubes_only, progress);
   meet_bars(lines, scale);  // bars may have moved
   Junctions junctions = find_junctions(drawing, lines, material.sampled.hidden, order, scale, progress);
+  TubePassings passings = find_passings(drawing, material.sampled.tubes, lines, scale);
+  std::ranges::move(passings.findings, std::back_inserter(junctions.findings));
+  order.passings = std::move(passings.all);
   bring_into_general_position(lines, scale.step);
 
   const FigureContext context{drawing, material.options, scale, lines, junctions, order};
   LabelledDrawing result = label_parts(context, progress.silent());
   result.crossings = std::move(order.pairs);
+  for (const TubePassing& passing : order.passings) result.tube_crossings.push_back(passing.crossing);
   result.kinds = kinds_of(material, reading);
   add_dots(material, result);
-  mark_tubes(result);
+  mark_limbs(drawing, result);
   add_nested(drawing, result);
   mark_whole_outlines(result);
   append(std::move(order.findings), findings);
@@ -367,6 +393,11 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
   Material material{drawing, options, {}, {}, {}};
   sample(material);
+  if (material.sampled.strokes.empty()) {  // only tubes
+    LabelledDrawing labelled = label_reading(material, {}, progress);
+    if (labelled.figures.empty()) throw Error(labelled.findings);
+    return labelled;
+  }
   material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
@@ -404,14 +435,46 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
 
 }  // namespace
 
+Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps) {
+  std::vector<Index> crossings;  // per overlap
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const FigureOverlap& overlap : figure.overlaps) crossings.push_back(overlap.tube_crossing);
+  }
+  for (const Index overlap : overlaps) {
+    const bool known = overlap < crossings.size();
+    if (!known || crossings[overlap] == no_index) {
+      const std::string why =
+          known ? " isn't of two strands of tubes: say by data-behind what lies behind"
+                : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
+      const std::string sentence = "The overlap " + std::to_string(overlap) + why + ", counted from 0";
+      throw Error(make_error(Category::Usage, "E_SWAP", sentence, {{SubjectKind::Parameter, "swap", {}, {}, {}}}));
+    }
+    const TubeCrossing& crossing = labelled.tube_crossings[crossings[overlap]];
+    Stroke& stroke = drawing.strokes[crossing.stroke];
+    std::vector<std::string_view> words = over_words(stroke);
+    words.resize(std::max<std::size_t>(words.size(), crossing.word + 1), auto_word);
+    const bool is_over = words[crossing.word] == auto_word ? crossing.over : words[crossing.word] == over_word;
+    words[crossing.word] = is_over ? under_word : over_word;
+    std::string list;
+    for (const std::string_view word : words) list.append(list.empty() ? "" : ",").append(word);
+    stroke.data[over_key] = std::move(list);
+  }
+  return drawing;
+}
+
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
   StageKey key;
   if (options.cache != nullptr) {
     add_drawing(drawing, key);
-    key.add(options.strokes).add(options.completion).add(options.attach_suggested);
+    key.add(options.strokes).add(options.completion).add(options.attach_suggested).add(options.swaps);
   }
   const auto labelled = cached<LabelledDrawing>(
-      options.cache, "silhouette labels", key, [&] { return read_drawing(drawing, options, progress); },
+      options.cache, "silhouette labels", key,
+      [&] {
+        LabelledDrawing read = read_drawing(drawing, options, progress);
+        if (options.swaps.empty()) return read;
+        return read_drawing(swap_overlaps(drawing, read, options.swaps), options, progress);
+      },
       [](const LabelledDrawing& result) { return bytes_of(result); });
   progress.report(1);
   return *labelled;

@@ -23,7 +23,7 @@ void add_drawing(const Drawing& drawing, StageKey& key) {
   for (const Stroke& stroke : drawing.strokes) {
     key.add(stroke.id).add(stroke.closed).add(stroke.object).add(stroke.line.value_or(-1)).add(stroke.data);
     key.add(stroke.samples.size());
-    for (const StrokeSample& sample : stroke.samples) key.add(sample.position);
+    for (const StrokeSample& sample : stroke.samples) key.add(sample.position).add(sample.pressure);
   }
 }
 

@@ -21,10 +21,25 @@ constexpr std::array<std::pair<StrokeKind, std::string_view>, 10> kinds{{{Stroke
                                                                          {StrokeKind::Tube, "tube"},
                                                                          {StrokeKind::Ignored, "ignored"}}};
 
+constexpr std::array<std::pair<TubeEnds, std::string_view>, 3> end_shapes{
+    {{TubeEnds::Round, "round"}, {TubeEnds::Flat, "flat"}, {TubeEnds::Pointed, "pointed"}}};
+
 std::string_view without_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
+}
+
+/// The parts of a list in a stroke's data; views of it. None where it has no such data.
+std::vector<std::string_view> list_of(const Stroke& stroke, const char* key) {
+  std::vector<std::string_view> list;
+  const auto found = stroke.data.find(key);
+  if (found == stroke.data.end()) return list;
+  for (const std::string_view part : text_parts(found->second, ",")) {
+    const std::string_view word = without_spaces(part);
+    if (!word.empty()) list.push_back(word);
+  }
+  return list;
 }
 
 }  // namespace
@@ -33,6 +48,19 @@ bool has_far_copy(const std::map<std::string, std::string>& data) {
   const auto found = data.find(copy_key);
   return found != data.end() && found->second == copy_far;
 }
+
+bool is_centre_line(const Stroke& stroke) {
+  return stroke_kind(stroke) == StrokeKind::Tube && stroke.data.contains(radius_key);
+}
+
+std::optional<TubeEnds> tube_ends(std::string_view word) {
+  for (const auto& [ends, text] : end_shapes) {
+    if (word == text) return ends;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> over_words(const Stroke& stroke) { return list_of(stroke, over_key); }
 
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke) {
   const auto found = stroke.data.find(kind_key);
@@ -52,16 +80,7 @@ std::string to_string(StrokeKind kind) {
   return std::string(found->second);
 }
 
-std::vector<std::string_view> behind_ids(const Stroke& stroke) {
-  std::vector<std::string_view> ids;
-  const auto found = stroke.data.find(behind_key);
-  if (found == stroke.data.end()) return ids;
-  for (const std::string_view part : text_parts(found->second, ",")) {
-    const std::string_view id = without_spaces(part);
-    if (!id.empty()) ids.push_back(id);
-  }
-  return ids;
-}
+std::vector<std::string_view> behind_ids(const Stroke& stroke) { return list_of(stroke, behind_key); }
 
 bool is_set_behind(const Stroke& later, const Stroke& earlier) {
   const std::vector<std::string_view> ids = behind_ids(later);

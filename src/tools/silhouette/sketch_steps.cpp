@@ -33,6 +33,8 @@ void StrokeDrawn::describe(Fields& fields) {
   fields.require(!units || *units > 0, "\"scale\" must be a number above 0");
   scale = units.value_or(0);
   fields.seldom("behind", behind);
+  fields.seldom("tube", tube);
+  fields.require(!tube || *tube > 0, "\"tube\" must be a number above 0");
 }
 
 void StrokeReading::describe(Fields& fields) {
@@ -52,9 +54,11 @@ void StrokeReading::describe(Fields& fields) {
   fields.seldom("copy", copy);
   fields.require(!copy || copy->empty() || *copy == silhouette::copy_far, "\"copy\" must be far, or empty for none");
   if (copy) far_copy = !copy->empty();
-  const int given =
-      kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() + far_copy.has_value();
-  fields.require(given == 1, "one of \"kind\", \"in-front-of\", \"thickness\", \"title\" and \"copy\" is set");
+  fields.seldom("over", over);
+  const int given = kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() +
+                    far_copy.has_value() + over.has_value();
+  fields.require(given == 1,
+                 "one of \"kind\", \"in-front-of\", \"thickness\", \"title\", \"copy\" and \"over\" is set");
 }
 
 const Vocabulary& sketch_steps() {

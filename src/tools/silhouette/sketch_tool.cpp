@@ -59,6 +59,7 @@ std::string setting_label(const recorded::StrokeReading& setting) {
     return setting.title->empty() ? "Take the name off " + stroke : "Rename a part to " + *setting.title;
   if (setting.far_copy == true) return "Make a far copy of " + stroke;
   if (setting.far_copy) return "Take away the far copy of " + stroke;
+  if (setting.over) return "Swap strands of " + stroke;
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }
@@ -69,6 +70,7 @@ DrawingEdit setting_edit(const Drawing& drawing, const recorded::StrokeReading& 
   if (setting.in_front_of) return set_in_front(drawing, id, *setting.in_front_of);
   if (setting.title) return set_title(drawing, id, *setting.title);
   if (setting.far_copy) return set_far_copy(drawing, id, *setting.far_copy);
+  if (setting.over) return set_over(drawing, id, *setting.over);
   return set_thickness(drawing, id, setting.thickness.value_or(1));
 }
 
@@ -128,10 +130,11 @@ std::optional<SketchChange> drawn_stroke(const SketchEvent& start, const SketchP
   options.units_per_pixel = start.units_per_pixel;
   options.redraws = !start.modifiers.ctrl;
   options.behind = drawn.behind;
+  options.tube = drawn.tube;
   DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, drawn.ink, options);
   const std::string label =
       edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
-  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind};
+  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind, drawn.tube};
   for (StrokeSample& sample : step.points) sample.time -= drawn.ink.front().time;
   return SketchChange{std::move(edit), label, std::move(step)};
 }
@@ -219,6 +222,7 @@ void SketchTool::begin(const SketchEvent& event) {
     now.kind = SketchGesture::Kind::Draw;
     preview_.ink = {event.sample};
     preview_.behind = event.right || event.modifiers.shift;
+    preview_.tube = tube_;
     return;
   }
   pick(now, *this, options_.reach);

@@ -255,7 +255,11 @@ DrawingEdit draw_stroke(const Drawing& drawing, std::vector<StrokeSample> sample
   require_samples(samples);
   DrawingEdit edit{drawing, {}, {}, {}};
   Stroke stroke = drawn_stroke(drawing, std::move(samples), options);
-  if (options.redraws && !options.behind && redraw_best(edit.drawing, stroke, options)) {
+  if (options.tube) {
+    stroke.data[silhouette::kind_key] = silhouette::to_string(silhouette::StrokeKind::Tube);
+    stroke.data[silhouette::radius_key] = number_text(*options.tube);
+  }
+  if (options.redraws && !options.behind && !options.tube && redraw_best(edit.drawing, stroke, options)) {
     edit.changed.push_back(stroke.id);
     return edit;
   }

@@ -115,6 +115,12 @@ bool has_far_copy(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::copy_key) == silhouette::copy_far;
 }
 
+DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::string& words) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  set_entry(stroke_of(edit.drawing, id).data, silhouette::over_key, words);
+  return edit;
+}
+
 std::string title_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::title_key);
 }

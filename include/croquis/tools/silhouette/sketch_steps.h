@@ -20,6 +20,7 @@ struct StrokeDrawn {
   std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
   double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
   bool behind = false;               ///< drawn with the right button, or with Shift: behind what is there
+  std::optional<double> tube = {};   ///< it is the centre line of a tube of this radius, sketch units, above 0
 
   static constexpr std::array verbs{"stroke"};
   void describe(Fields& fields);
@@ -46,6 +47,7 @@ struct StrokeReading {
   std::optional<double> thickness = {};             ///< factor of the depth of the part that it bounds, above 0
   std::optional<std::string> title = {};            ///< of the part that it bounds; empty: by its shape again
   std::optional<bool> far_copy = {};                ///< whether there is a second one of the part on the far side
+  std::optional<std::string> over = {};             ///< of a tube: the words of its crossings, see silhouette::over_key
 
   static constexpr std::array verbs{"stroke-set"};
   void describe(Fields& fields);

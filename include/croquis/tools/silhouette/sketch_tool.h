@@ -42,6 +42,7 @@ Document add_drawing(const Document& document, Value drawing, const SketchToolOp
 struct SketchPreview {
   std::vector<StrokeSample> ink;           ///< Draw: the samples so far, as they came
   bool behind = false;                     ///< Draw: the stroke will lie behind the others
+  std::optional<double> tube;              ///< Draw: it is the centre line of a tube of this radius
   std::vector<Vec2> eraser;                ///< Erase: the path so far
   std::vector<std::vector<Vec2>> erased;   ///< Erase: what it has covered of the strokes, open polylines
   std::optional<PickBox> box;              ///< Select: the box spanned
@@ -68,6 +69,9 @@ class SketchTool {
 
   SketchMode mode() const { return mode_; }
   void set_mode(SketchMode mode);  ///< gives up a gesture under way
+
+  /// Draw: strokes are the centre lines of tubes of that radius, sketch units; none: they are outlines.
+  void set_tube(std::optional<double> radius) { tube_ = radius; }
 
   Verdict handle(const SketchEvent& event);
   const SketchPreview& preview() const { return preview_; }
@@ -114,6 +118,7 @@ class SketchTool {
   Session& session_;
   SketchToolOptions options_;
   SketchMode mode_ = SketchMode::Draw;
+  std::optional<double> tube_;
   NodeId node_ = 0;
   SketchPreview preview_;
   std::optional<recorded::Step> done_;

@@ -29,12 +29,15 @@ DrawingEdit set_thickness(const Drawing& drawing, const std::string& id, double 
 /// @param title empty: it is called by its shape again; @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_title(const Drawing& drawing, const std::string& id, const std::string& title);
 
-/// Says whether there is a second one of the part that a stroke bounds, on the far side of what it belongs to. Where the
-/// drawing names the part, its group says so. @throws Error (E_INPUT) when there is no such stroke
+/// Says whether there is a second one of the part that a stroke bounds, on the far side of what it belongs to. Where
+/// the drawing names the part, its group says so. @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_far_copy(const Drawing& drawing, const std::string& id, bool copied);
 
 /// What was set; false for an unknown stroke.
 bool has_far_copy(const Drawing& drawing, const std::string& id);
+
+/// Says which strand of a tube is over at its crossings. @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::string& words);
 
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string title_of(const Drawing& drawing, const std::string& id);

@@ -30,7 +30,9 @@ Index other_end(Index end) { return end ^ 1U; }
 
 ContourPath path_of_line(const CleanLine& line, Index index) {
   ContourPath path{line.points, {}, line.raw, line.strokes};
-  for (const Index stroke : line.stroke) path.segments.push_back({true, true, stroke, index});
+  for (Index i = 0; i < line.stroke.size(); ++i) {
+    path.segments.push_back({true, true, line.stroke[i], index, no_index, 0, line.tube_place(i)});
+  }
   return path;
 }
 
@@ -107,7 +109,7 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
     piece.strokes = {stroke};
   }
   piece.raw = piece.points;
-  piece.segments.assign(piece.points.size(), {false, false, stroke, no_index, choice});
+  piece.segments.assign(piece.points.size(), {false, false, stroke, no_index, choice, 0, {}});
   append_piece(piece, path);
   result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost()});
   return arriving;
@@ -151,10 +153,13 @@ std::vector<Passages> find_crossings(const VisibleCrossings& order, double spaci
     result.points.push_back(found.at);
     ContourCrossing& crossing = result.contour_crossings.emplace_back();
     crossing.sign = found.sign;
-    const Index a = result.paths[found.a.line].segments[found.a.position].line;
-    const Index b = result.paths[found.b.line].segments[found.b.position].line;
-    if (order.in_front.contains({a, b})) crossing.over = 0;
-    if (order.in_front.contains({b, a})) crossing.over = 1;
+    const ContourSegment& a = result.paths[found.a.line].segments[found.a.position];
+    const ContourSegment& b = result.paths[found.b.line].segments[found.b.position];
+    if (order.in_front.contains({a.line, b.line})) crossing.over = 0;
+    if (order.in_front.contains({b.line, a.line})) crossing.over = 1;
+    const PassingAt passing = passing_at(order.passings, a.tube, b.tube);
+    crossing.passing = passing.passing;
+    if (passing.passing != no_index) crossing.over = passing.over;
     passages[found.a.line][found.a.position].push_back({found.fraction_a, k, 0});
     passages[found.b.line][found.b.position].push_back({found.fraction_b, k, 1});
   }

@@ -43,6 +43,7 @@ struct ContourSegment {
   Index line = no_index;        ///< the drawn line, no_index for a completion
   Index completion = no_index;  ///< which of the chosen completions, no_index for a line
   double cut = 0;               ///< fraction at which its bar crosses it
+  TubePlace tube{};             ///< of the outline of one that has a centre line
 };
 
 /// A closed contour before it is crossed with the others.
@@ -65,8 +66,9 @@ struct ContourCrossing {
   };
 
   std::array<Strand, 2> strands;
-  int sign = 0;           ///< of cross(direction of the first, direction of the second)
-  Index over = no_index;  ///< the strand in front where that is known: at a T-junction the bar
+  int sign = 0;              ///< of cross(direction of the first, direction of the second)
+  Index over = no_index;     ///< the strand in front where that is known: at a T-junction the bar
+  Index passing = no_index;  ///< of tubes: index into VisibleCrossings::passings
 };
 
 /// All contours of a part in the plane, before they are labelled: crossings are vertices, the first of the points;

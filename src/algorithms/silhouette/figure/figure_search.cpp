@@ -267,7 +267,10 @@ std::vector<Index> units_of_lines(const FigureContext& context) {
     joined.unite(context.junctions.ends[given.from].line, context.junctions.ends[given.to].line);
   }
   std::map<std::string, Index> first_of_object;
+  std::map<Index, Index> first_of_tube;
   for (Index line = 0; line < context.lines.size(); ++line) {
+    const Index tube = context.lines[line].centre_line;
+    if (tube != no_index) joined.unite(line, first_of_tube.try_emplace(tube, line).first->second);
     const std::string& object = context.lines[line].object;
     if (!object.empty()) joined.unite(line, first_of_object.try_emplace(object, line).first->second);
   }

@@ -121,7 +121,9 @@ std::vector<FigureOverlap> find_overlaps(const Arrangement& arrangement, const S
     const GluingStep& a = covered_step(stacks, arrangement.contour_crossings[k].strands[0]);
     const GluingStep& b = covered_step(stacks, arrangement.contour_crossings[k].strands[1]);
     const auto [above, below] = std::minmax(a.depth, b.depth);
-    regions.at(sets.root(stacks.pair(a.more, above, below))).second.crossings.push_back(k);
+    FigureOverlap& overlap = regions.at(sets.root(stacks.pair(a.more, above, below))).second;
+    overlap.crossings.push_back(k);
+    overlap.tube_crossing = arrangement.contour_crossings[k].passing;
   }
   std::vector<FigureOverlap> overlaps;
   for (auto& [root, region] : regions) overlaps.push_back(std::move(region.second));

@@ -19,8 +19,8 @@ namespace {
 /// Per contour those that cross it.
 std::vector<std::set<Index>> crossed_contours(const Arrangement& arrangement) {
   std::vector<std::set<Index>> crossed(arrangement.contours.size());
-  for (const auto& [strands, sign, over] : arrangement.contour_crossings) {
-    const auto [a, b] = std::pair(strands[0].contour, strands[1].contour);
+  for (const ContourCrossing& crossing : arrangement.contour_crossings) {
+    const auto [a, b] = std::pair(crossing.strands[0].contour, crossing.strands[1].contour);
     if (a == b) continue;
     crossed[a].insert(b);
     crossed[b].insert(a);

@@ -46,6 +46,22 @@ struct SampledStroke {
   double size = 0;  ///< see `size_of`
 };
 
+/// The centre line of a tube, smoothed and sampled evenly.
+struct CentreLine {
+  Points points;
+  std::vector<double> radius;  ///< per point
+  Index stroke = 0;            ///< index into Drawing::strokes
+  std::string object;          ///< name of the object it was forced into, empty for none
+  bool closed = false;
+  TubeEnds ends = TubeEnds::Round;
+};
+
+/// A place of a tube.
+struct TubePlace {
+  Index tube = no_index;  ///< which centre line
+  double along = 0;       ///< length from its first point
+};
+
 /// One stroke in a chain of joined strokes.
 struct ChainLink {
   Index index = 0;  ///< into the sampled strokes
@@ -77,11 +93,17 @@ struct CleanLine {
   bool bridged = false;                             ///< closed over a gap that is more than what hands miss by
   bool tube = false;                                ///< the outline of limbs that were drawn as one line
   bool led = false;                                 ///< into a line that it lay beside
+  Index centre_line = no_index;                     ///< of the outline of a tube with one
+  std::vector<double> along;                        ///< of that: per point the place on the centre line
+  int side = 0;                                     ///< of that: the surface lies left (+1) or right (-1)
   double size = 0;                                  ///< see `size_of`
   std::array<std::optional<EndTarget>, 2> targets;  ///< of its start and its end
 
   /// Out of what it crosses.
   bool grows() const { return tube || led; }
+  TubePlace tube_place(Index point) const {
+    return centre_line == no_index ? TubePlace() : TubePlace{centre_line, along[point]};
+  }
   Index segment_count() const { return static_cast<Index>(closed ? points.size() : points.size() - 1); }
   const Vec2& end(bool at_start) const { return end_of(points, at_start); }
   Index end_stroke(bool at_start) const { return at_start ? stroke.front() : stroke.back(); }
@@ -133,6 +155,7 @@ struct SampledDrawing {
   int smoothing_passes = 0;
   std::vector<SampledStroke> strokes;  ///< samples half a step apart
   std::vector<SampledStroke> hidden;   ///< those of kind "hidden"
+  std::vector<CentreLine> tubes;       ///< not among the strokes
   std::vector<Index> dots;             ///< indices into Drawing::strokes: too short to be a line of anything
   Findings findings;
 };

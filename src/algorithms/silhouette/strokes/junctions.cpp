@@ -233,6 +233,7 @@ void add_conflicts(const Drawing& drawing, const std::vector<CleanLine>& lines, 
     progress.check();
     const auto& [a, b] = std::tie(contact.a, contact.b);
     if (order.in_front.contains({a.line, b.line}) || order.in_front.contains({b.line, a.line})) continue;
+    if (lines[a.line].centre_line != no_index && lines[b.line].centre_line != no_index) continue;
     const bool are_near = a.line == b.line && separation(lines[a.line], a.position, b.position) <= own_segments;
     if (are_near && !contact.crosses()) continue;
     if (is_junction(lines, junctions.ends, a, b) || is_junction(lines, junctions.ends, b, a)) continue;

@@ -11,6 +11,7 @@
 
 #include "algorithms/silhouette/strokes/clean_line.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/strokes/tube_outline.h"
 #include "croquis/base/error.h"
 #include "croquis/base/limits.h"
 #include "croquis/geometry/segment_grid.h"
@@ -89,7 +90,11 @@ DrawingScale scale_of(const Drawing& drawing, const StrokeOptions& options, doub
   Eigen::AlignedBox2d box;
   for (const Stroke& stroke : drawing.strokes) {
     if (!is_usable(stroke)) continue;
-    for (const StrokeSample& sample : stroke.samples) box.extend(sample.position);
+    const Vec2 around = Vec2::Constant(largest_radius(stroke));
+    for (const StrokeSample& sample : stroke.samples) {
+      box.extend(Vec2(sample.position - around));
+      box.extend(Vec2(sample.position + around));
+    }
   }
   double unit = box.isEmpty() ? 0 : box.diagonal().norm() / 1000;
   if (typical > 0) {
@@ -119,6 +124,8 @@ void add_usable_strokes(const Drawing& drawing, double tiny, SampledDrawing& sam
                                             "The stroke " + in_quotes(drawing, s) + " has a coordinate that " +
                                                 unusable_words + ": correct it or remove the stroke",
                                             {stroke_subject(drawing, s)}));
+    } else if (is_centre_line(stroke)) {
+      add_centre_line(drawing, s, sampled);
     } else {
       SampledStroke drawn{distinct_points(stroke), s, stroke.object, *kind, stroke.closed};
       drawn.length = length(drawn.points, drawn.closed);
@@ -138,6 +145,7 @@ void check_extent(const Drawing& drawing, const SampledDrawing& sampled) {
   Findings findings = sampled.findings;
   const std::vector<SampledStroke>& usable = sampled.strokes;
   if (std::ranges::all_of(usable, is_hidden)) {
+    if (!sampled.tubes.empty()) return;
     for (const Index dot : sampled.dots) findings.push_back(too_short(drawing, dot));
     if (!has_errors(findings)) {
       findings.push_back(make_error(Category::Geometry, "E_NO_STROKES",

@@ -120,6 +120,7 @@ Index line_around(const std::vector<CleanLine>& lines, const LinePairs& crossing
   const auto area = [&](Index i) { return std::abs(signed_area(lines[i].points)); };
   Index around = no_index;
   for (Index other = 0; other < lines.size(); ++other) {
+    if (lines[other].centre_line != no_index) continue;
     if (!lines[other].closed || crossing.contains(std::minmax(line, other)) || area(other) <= area(line)) continue;
     if (around != no_index && area(other) >= area(around)) continue;
     if (encloses(lines[other].points, lines[line].points.front())) around = other;
@@ -130,7 +131,7 @@ Index line_around(const std::vector<CleanLine>& lines, const LinePairs& crossing
 /// The closed line that another closed one is a hole of, else the line itself. The stroke's own "kind" decides, else
 /// the shape of the ring between the two.
 Index ring_of(const Drawing& drawing, const std::vector<CleanLine>& lines, const LinePairs& crossing, Index line) {
-  const Index around = line_around(lines, crossing, line);
+  const Index around = lines[line].centre_line != no_index ? no_index : line_around(lines, crossing, line);
   if (around == no_index) return line;
   const auto things = std::ranges::count_if(
       crossing, [around](const auto& pair) { return pair.first == around || pair.second == around; });
@@ -174,6 +175,7 @@ std::vector<Cover> covers_of(const Drawing& drawing, const std::vector<CleanLine
     const bool are_closed = lines[a].closed && lines[b].closed;
     if (tubes_only && !lines[a].grows() && !lines[b].grows()) continue;
     if (!lines[a].closed && !lines[b].closed) continue;
+    if (lines[a].centre_line != no_index && lines[b].centre_line != no_index) continue;  // see find_passings
     Cover& cover = covers.emplace_back(Cover{a, b});
     const bool is_later = are_closed ? last_stroke(ring(b)) >= last_stroke(ring(a)) : lines[b].closed;
     if (is_later) std::swap(cover.front, cover.behind);
@@ -348,19 +350,27 @@ void lead_into_neighbours(std::vector<CleanLine>& lines, const DrawingScale& sca
 VisibleCrossings order_visible_crossings(const Drawing& drawing, std::vector<CleanLine>& lines,
                                          const DrawingScale& scale, bool tubes_only, const Progress& progress) {
   VisibleCrossings found;
-  found.sides.resize(lines.size(), 0);
+  for (Index line = 0; line < lines.size(); ++line) {
+    found.sides.push_back(lines[line].side);
+    if (lines[line].centre_line != no_index) found.behind.insert(line);
+  }
   for (const Cover& cover : covers_of(drawing, lines, crossing_pairs(lines, scale), tubes_only)) {
     progress.check();
     CleanLine& line = lines[cover.behind];
     const CleanLine& front = lines[cover.front];
     const bool grown = line.grows() || front.grows();
-    const double shallow = grown ? 0 : scale.shallow(std::min(line.size, front.size));  // a limb's end may cover little
+    const bool stays = grown || line.centre_line != no_index || front.centre_line != no_index;
+    const double shallow = stays ? 0 : scale.shallow(std::min(line.size, front.size));  // a limb's end may cover little
     const std::optional<Vec2> at = settle_crossings(line, front, shallow, scale.step);
     if (!at) continue;
     found.in_front.emplace(cover.front, cover.behind);
     found.behind.insert(cover.behind);
-    found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
-    if (cover.is_hole || grown) continue;
+    if (front.centre_line == no_index)
+      found.sides[cover.front] = (signed_area(front.points) > 0) != cover.is_hole ? 1 : -1;
+    const auto is_named = [&](const CrossingInView& pair) {  // by another outline of the same tube
+      return pair.front == last_stroke(front) && pair.behind == last_stroke(line);
+    };
+    if (cover.is_hole || grown || (stays && std::ranges::any_of(found.pairs, is_named))) continue;
     const bool whole = line.closed && front.closed && !front.bridged;
     found.pairs.push_back({last_stroke(front), last_stroke(line), *at, cover.chosen, whole});
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/silhouette/strokes/clean_line.h"
+#include "algorithms/silhouette/strokes/tube_outline.h"
 #include "croquis/base/progress.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
@@ -34,8 +35,9 @@ void lead_into_neighbours(std::vector<CleanLine>& lines, const DrawingScale& sca
 
 struct VisibleCrossings {
   std::set<std::pair<Index, Index>> in_front;  ///< pairs of lines that cross; the first one lies in front
-  std::set<Index> behind;                      ///< the second ones of these pairs
+  std::set<Index> behind;                      ///< the second ones of these pairs, and outlines of tubes
   std::vector<int> sides;                      ///< per line in front: its surface is on the left (+1) or right (-1)
+  std::vector<TubePassing> passings;           ///< of tubes with centre lines
   std::vector<CrossingInView> pairs;           ///< but of lines that grow out of one another, and holes
   Findings findings;                           ///< W_CROSS for every pair
 };

@@ -2,8 +2,10 @@
 #include "app/tools/silhouette/silhouette_tool.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -26,7 +28,7 @@ constexpr double stroke_reach = 8;  // logical pixels
 constexpr double hint_height = 60;  // above the view's lower border
 
 SketchMode sketch_mode(const QString& mode) {
-  if (mode == "draw") return SketchMode::Draw;
+  if (mode == "draw" || mode == "tube") return SketchMode::Draw;
   return mode == "erase" ? SketchMode::Erase : SketchMode::Select;
 }
 
@@ -164,7 +166,8 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
   return rows;
 }
 
-void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions) {
+/// @param tube_share that a choice is written to, of the view's diagonal
+void add_sketch_actions(ToolHost& host, SketchChips& chips, double& tube_share, ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -175,6 +178,7 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions)
   add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
   add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
   add_mode(host, actions, MenuId::Sketch, "draw", tr("Draw"), "D");
+  add_mode(host, actions, MenuId::Sketch, "tube", tr("Draw tubes"), "Ctrl+Shift+D");
   add_mode(host, actions, MenuId::Sketch, "erase", tr("Erase"), "X");
   add_mode(host, actions, MenuId::Select, select_mode, tr("Select and reshape"), "Q");
   QMenu* sketch = actions.menu(MenuId::Sketch);
@@ -182,11 +186,23 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, ActionList& actions)
   actions.add(
       sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")}, [&chips] { chips.copy_to_far_side(); },
       Recorded::ByItself);
+  QMenu* radii = sketch->addMenu(tr("Tube radius"));
+  auto* choice = new QActionGroup(radii);
+  for (const int percent : {1, 2, 3, 5, 8}) {
+    const double share = percent / 100.0;
+    QAction* action = actions.add(radii, QString("tube-radius-%1").arg(percent), tr("%1 % of the view").arg(percent),
+                                  {}, [&tube_share, share] { tube_share = share; });
+    action->setCheckable(true);
+    action->setChecked(share == tube_share);
+    choice->addAction(action);
+  }
   sketch->addSeparator();
 }
 
-QString help_of(SketchMode mode, bool has_strokes) {
+QString help_of(SketchMode mode, bool has_strokes, bool tubes) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
+  if (tubes)
+    return tr("Draw the middle line of a tube, it may cross itself: pressure makes it thicker · D draws outlines");
   if (mode == SketchMode::Select)
     return tr("Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws");
   if (mode == SketchMode::Erase) return tr("Drag over lines to cut pieces out of them · D draws");
@@ -208,7 +224,7 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
 }
 
-void SilhouetteTool::make_actions(ActionList& actions) { add_sketch_actions(host(), chips_, actions); }
+void SilhouetteTool::make_actions(ActionList& actions) { add_sketch_actions(host(), chips_, tube_share_, actions); }
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
@@ -280,7 +296,7 @@ bool SilhouetteTool::show(const Target& target) {
 }
 
 ToolWords SilhouetteTool::words() const {
-  return {.help = help_of(tool_.mode(), scene_.has_strokes()), .tooltip = under_pointer_};
+  return {.help = help_of(tool_.mode(), scene_.has_strokes(), mode_ == "tube"), .tooltip = under_pointer_};
 }
 
 void SilhouetteTool::adjust(ObjectScenes::Wanted& wanted, int view) const {
@@ -338,7 +354,14 @@ void SilhouetteTool::follow(Change change) {
 
 // ---- The pen
 
+std::optional<double> SilhouetteTool::tube_radius() const {
+  if (mode_ != "tube") return std::nullopt;
+  const QRectF view = host().viewport().pane(SketchView).rect;
+  return tube_share_ * frame().units_per_pixel * std::hypot(view.width(), view.height());
+}
+
 void SilhouetteTool::feed(const std::vector<PenStep>& steps) {
+  tool_.set_tube(tube_radius());
   for (const PenStep& step : steps) feed(to_sketch(step, frame()));
   show_gesture();
 }
@@ -388,6 +411,7 @@ void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bo
 void SilhouetteTool::make_replays(Replays& replays) {
   replays.on<recorded::StrokeDrawn>([this](const recorded::StrokeDrawn& stroke) {
     if (!host().shows_views()) host().start_with();
+    tool_.set_tube(stroke.tube);
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });

@@ -52,17 +52,20 @@ class SilhouetteTool final : public Tool {
   bool has_view(int view) const;
   SketchFrame frame() const { return host().viewport().pane(SketchView).sketch_frame(); }
   bool inking() const { return !tool_.preview().ink.empty(); }
-  bool draws() const { return mode_ == "draw" || mode_ == "erase"; }
+  bool draws() const { return mode_ == "draw" || mode_ == "tube" || mode_ == "erase"; }
   void feed(const SketchEvent& event);
   void show_gesture();
   /// Feeds the tool a gesture in sketch coordinates, as a recording has it.
   /// @param scale units per pixel of the view it was made in; 0 for this one's
+  /// The radius of tubes that are drawn now; none while outlines are.
+  std::optional<double> tube_radius() const;
   void replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers, double scale);
 
   SketchTool tool_;
   SketchScene scene_;
   SketchChips chips_;
   QLabel* hint_;
+  double tube_share_ = 0.02;                     ///< radius of tubes drawn, of the view's diagonal
   QString under_pointer_;                        ///< the sentences of the findings whose marks are there
   std::map<NodeId, render::LineItemPtr> lines_;  ///< drawn on the surfaces of objects
 };

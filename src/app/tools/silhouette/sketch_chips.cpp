@@ -203,6 +203,7 @@ SketchChips::SketchChips(Studio& studio, SketchTool& tool, Viewport& views)
       joint_row_(&views, "joint", true),
       nested_row_(&views, "nested", false),
       crossing_row_(&views, "crossing", false),
+      tube_row_(&views, "strands", false),
       kind_row_(&views, "kind", false),
       thickness_(studio, views) {
   connect_rows();
@@ -242,6 +243,10 @@ void SketchChips::connect_rows() {
   connect(&crossing_row_, &ChipRow::clicked, this, [this](std::size_t number) {
     const StrokesInView& crossing = crossings_.at(number);
     set({crossing.behind, {}, crossing.front}, false);
+  });
+  connect(&tube_row_, &ChipRow::clicked, this, [this](std::size_t number) {
+    const TubeSwap& swap = swaps_.at(number);
+    set({.stroke = swap.stroke, .over = swap.over}, false);
   });
   connect(&kind_row_, &ChipRow::clicked, this,
           [this](std::size_t number) { ask_kind(kinds_.at(number), *kind_row_.chip(number)); });
@@ -296,6 +301,16 @@ ChipRow::Chip SketchChips::chip_of(const StrokesInView& crossing) const {
   return {crossing.at, {"crossing-in-view", {}, names, crossing.chosen ? Strength::Half : Strength::Plain}};
 }
 
+/// Beside the mark that shows the two strands.
+ChipRow::Chip SketchChips::chip_of(const TubeSwap& swap) const {
+  constexpr double beside_mark = 22;  // logical pixels
+  const QString sentence =
+      swap.front == swap.behind
+          ? tr("%1 passes over itself. Click to swap the strands").arg(name_of(swap.front))
+          : tr("In front: %1. Behind: %2. Click to swap them").arg(name_of(swap.front), name_of(swap.behind));
+  return {swap.at, {"crossing-in-view", {}, sentence, Strength::Plain}, beside_mark};
+}
+
 ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
   const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
   const QString word = word_of(read.kind);
@@ -339,6 +354,7 @@ void SketchChips::follow() {
   std::erase_if(joints_, [&](const Joint& joint) { return is_tube(known, joint.a) || is_tube(known, joint.b); });
   nested_ = nested_outlines(known, drawing);
   crossings_ = crossings_in_view(known, drawing);
+  swaps_ = known.tube_swaps;
   kinds_ = read_strokes(known, drawing, tool_.selected());
   const ChosenPart part = chosen_part(known, drawing, tool_.selected());
   const auto chips_of = [this](const auto& items) {
@@ -358,6 +374,7 @@ void SketchChips::follow() {
   joint_row_.show(std::move(joint_chips));
   nested_row_.show(chips_of(nested_));
   crossing_row_.show(chips_of(crossings_));
+  tube_row_.show(chips_of(swaps_));
   kind_row_.show(chips_of(kinds_));
   thickness_.follow(part, name_of(part.stroke));
 }
@@ -365,6 +382,7 @@ void SketchChips::follow() {
 void SketchChips::place(ChipPlaces& places, bool shown) {
   thickness_.place(places, shown);
   crossing_row_.place(places, shown);
+  tube_row_.place(places, shown);
   nested_row_.place(places, shown);
   joint_row_.place(places, shown);
   kind_row_.place(places, shown, tool_.mode() == SketchMode::Draw);

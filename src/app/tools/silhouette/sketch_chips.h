@@ -97,6 +97,7 @@ class SketchChips : public QObject {
   ChipRow::Chip chip_of(const Joint& joint) const;
   ChipRow::Chip chip_of(const NestedStroke& nested) const;
   ChipRow::Chip chip_of(const StrokesInView& crossing) const;
+  ChipRow::Chip chip_of(const TubeSwap& swap) const;
   ChipRow::Chip chip_of(const ReadStroke& read) const;
   void ask_kind(const ReadStroke& read, QWidget& chip);
 
@@ -106,12 +107,13 @@ class SketchChips : public QObject {
 
   Studio& studio_;
   SketchTool& tool_;
-  ChipRow joint_row_, nested_row_, crossing_row_, kind_row_;
+  ChipRow joint_row_, nested_row_, crossing_row_, tube_row_, kind_row_;
   ThicknessHandle thickness_;
   std::vector<Body> bodies_;
   std::vector<Joint> joints_;
   std::vector<NestedStroke> nested_;
   std::vector<StrokesInView> crossings_;
+  std::vector<TubeSwap> swaps_;
   std::vector<ReadStroke> kinds_;
   std::optional<double> dragged_from_;  ///< the number that the chip under way began with
 };
