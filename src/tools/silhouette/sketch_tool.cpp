@@ -222,7 +222,7 @@ void SketchTool::begin(const SketchEvent& event) {
     now.kind = SketchGesture::Kind::Draw;
     preview_.ink = {event.sample};
     preview_.behind = event.right || event.modifiers.shift;
-    preview_.tube = tube_;
+    preview_.tube = options_.tube;
     return;
   }
   pick(now, *this, options_.reach);

@@ -29,9 +29,10 @@ struct SketchToolOptions {
   ParameterValues parameters = {{"attach", std::string("auto")}};  ///< … and those parameters that it starts with
   /// The parameters of an operation on a drawing of which strokes were taken away; without it they stay.
   std::function<ParameterValues(ParameterValues, const Drawing&)> follow_removal;
-  PickReach reach;           ///< its units_per_pixel is taken from each event
-  double eraser_pixels = 6;  ///< radius of the eraser
-  double drag_pixels = 4;    ///< a press that moves less is a click
+  PickReach reach;                  ///< its units_per_pixel is taken from each event
+  double eraser_pixels = 6;         ///< radius of the eraser
+  double drag_pixels = 4;           ///< a press that moves less is a click
+  std::optional<double> tube = {};  ///< strokes are centre lines of tubes of that radius, sketch units; none: outlines
 };
 
 /// The document with a new source and the operation that it goes to.
@@ -70,8 +71,7 @@ class SketchTool {
   SketchMode mode() const { return mode_; }
   void set_mode(SketchMode mode);  ///< gives up a gesture under way
 
-  /// Draw: strokes are the centre lines of tubes of that radius, sketch units; none: they are outlines.
-  void set_tube(std::optional<double> radius) { tube_ = radius; }
+  void set_tube(std::optional<double> radius) { options_.tube = radius; }
 
   Verdict handle(const SketchEvent& event);
   const SketchPreview& preview() const { return preview_; }
@@ -118,7 +118,6 @@ class SketchTool {
   Session& session_;
   SketchToolOptions options_;
   SketchMode mode_ = SketchMode::Draw;
-  std::optional<double> tube_;
   NodeId node_ = 0;
   SketchPreview preview_;
   std::optional<recorded::Step> done_;

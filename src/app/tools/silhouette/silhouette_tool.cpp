@@ -20,6 +20,7 @@
 #include "croquis/tools/recording/general_steps.h"
 #include "croquis/tools/silhouette/sketch_steps.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
+#include "croquis/tools/silhouette/stroke_setting.h"
 
 namespace croquis::app {
 namespace {
@@ -166,8 +167,42 @@ std::vector<ObjectRow> rows_of(const Studio& studio, const WorkObject& object, N
   return rows;
 }
 
+/// The radius of a tube that is drawn now, sketch units. @param share of the view's diagonal
+double tube_radius(double share, Viewport& viewport) {
+  const ViewPane& pane = viewport.pane(SketchView);
+  return share * pane.sketch_frame().units_per_pixel * std::hypot(pane.rect.width(), pane.rect.height());
+}
+
+/// The name of the body that a finding is about; none where there is only one.
+QString body_of(const Studio& studio, const NodeFinding& found) {
+  const WorkObject* object = studio.object(found.node);
+  const auto drawing =
+      object == nullptr ? nullptr : source_of<Drawing>(studio.session().document().find(object->chain.front()));
+  if (!drawing) return {};
+  const std::vector<Body> bodies = bodies_of(*drawing, solid_in(studio, *object).get());
+  if (bodies.size() < 2 && studio.objects().size() < 2) return {};
+  const Body* body = body_with(bodies, strokes_of(found.finding));
+  return body == nullptr ? QString() : body->name;
+}
+
+/// Makes second ones of the selected parts, or else of the last one drawn, on the far side; takes away those that are.
+void copy_to_far_side(const Studio& studio, const SketchTool& tool, SketchChips& chips) {
+  const Drawing drawing = studio.drawing();
+  const std::vector<Body> bodies = bodies_of(drawing, studio.result().get());
+  std::vector<std::string> ids = tool.selected();
+  if (ids.empty() && !drawing.strokes.empty()) ids.push_back(drawing.strokes.back().id);
+  for (const std::string& id : ids) {
+    const Body* body = body_with(bodies, {id});
+    const std::vector<std::string> strokes = body == nullptr ? std::vector{id} : body->strokes;
+    const auto copied = std::ranges::find_if(strokes, [&](const auto& each) { return has_far_copy(drawing, each); });
+    const bool is_copied = copied != strokes.end();
+    chips.set({.stroke = is_copied ? *copied : id, .far_copy = !is_copied});
+  }
+}
+
 /// @param tube_share that a choice is written to, of the view's diagonal
-void add_sketch_actions(ToolHost& host, SketchChips& chips, double& tube_share, ActionList& actions) {
+void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chips, double& tube_share,
+                        ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -184,8 +219,8 @@ void add_sketch_actions(ToolHost& host, SketchChips& chips, double& tube_share, 
   QMenu* sketch = actions.menu(MenuId::Sketch);
   actions.add(sketch, "join-limbs", tr("Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
   actions.add(
-      sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")}, [&chips] { chips.copy_to_far_side(); },
-      Recorded::ByItself);
+      sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")},
+      [&] { copy_to_far_side(host.studio(), tool, chips); }, Recorded::ByItself);
   QMenu* radii = sketch->addMenu(tr("Tube radius"));
   auto* choice = new QActionGroup(radii);
   for (const int percent : {1, 2, 3, 5, 8}) {
@@ -224,7 +259,9 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
 }
 
-void SilhouetteTool::make_actions(ActionList& actions) { add_sketch_actions(host(), chips_, tube_share_, actions); }
+void SilhouetteTool::make_actions(ActionList& actions) {
+  add_sketch_actions(host(), tool_, chips_, tube_share_, actions);
+}
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
@@ -354,14 +391,8 @@ void SilhouetteTool::follow(Change change) {
 
 // ---- The pen
 
-std::optional<double> SilhouetteTool::tube_radius() const {
-  if (mode_ != "tube") return std::nullopt;
-  const QRectF view = host().viewport().pane(SketchView).rect;
-  return tube_share_ * frame().units_per_pixel * std::hypot(view.width(), view.height());
-}
-
 void SilhouetteTool::feed(const std::vector<PenStep>& steps) {
-  tool_.set_tube(tube_radius());
+  tool_.set_tube(mode_ == "tube" ? std::optional(tube_radius(tube_share_, host().viewport())) : std::nullopt);
   for (const PenStep& step : steps) feed(to_sketch(step, frame()));
   show_gesture();
 }
@@ -437,15 +468,6 @@ std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId nod
                  });
 }
 
-QString SilhouetteTool::owner_of(const NodeFinding& found) const {
-  const WorkObject* object = studio().object(found.node);
-  const auto drawing =
-      object == nullptr ? nullptr : source_of<Drawing>(studio().session().document().find(object->chain.front()));
-  if (!drawing) return {};
-  const std::vector<Body> bodies = bodies_of(*drawing, solid_in(studio(), *object).get());
-  if (bodies.size() < 2 && studio().objects().size() < 2) return {};
-  const Body* body = body_with(bodies, strokes_of(found.finding));
-  return body == nullptr ? QString() : body->name;
-}
+QString SilhouetteTool::owner_of(const NodeFinding& found) const { return body_of(studio(), found); }
 
 }  // namespace croquis::app

@@ -57,8 +57,6 @@ class SilhouetteTool final : public Tool {
   void show_gesture();
   /// Feeds the tool a gesture in sketch coordinates, as a recording has it.
   /// @param scale units per pixel of the view it was made in; 0 for this one's
-  /// The radius of tubes that are drawn now; none while outlines are.
-  std::optional<double> tube_radius() const;
   void replay_gesture(const std::vector<StrokeSample>& samples, bool erases, const Modifiers& modifiers, double scale);
 
   SketchTool tool_;

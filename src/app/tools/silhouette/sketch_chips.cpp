@@ -5,6 +5,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -100,6 +101,17 @@ std::vector<StrokeKind> kinds_for(const Stroke& stroke) {
     return {StrokeKind::Contour, StrokeKind::Tube, StrokeKind::Detail, StrokeKind::Scribble, StrokeKind::Ignored};
   return {StrokeKind::Contour, StrokeKind::Part,     StrokeKind::Hole,   StrokeKind::Blob,
           StrokeKind::Detail,  StrokeKind::Scribble, StrokeKind::Ignored};
+}
+
+ChipRow::Chip kind_chip(const ReadStroke& read) {
+  const QString found = read.chosen ? QString() : " " + SketchChips::tr("(read from the drawing)");
+  const QString word = word_of(read.kind);
+  const QString sentence =
+      SketchChips::tr("%1: %2. Click (with Q) to make it something else").arg(shown_name(read.stroke), word);
+  const Strength strength = read.chosen                        ? Strength::Half
+                            : read.kind == StrokeKind::Ignored ? Strength::Warning
+                                                               : Strength::Plain;
+  return {read.at, {"stroke-kind", word, sentence + found, strength}};
 }
 
 double blend_after(double from, const QPointF& by) {
@@ -311,16 +323,6 @@ ChipRow::Chip SketchChips::chip_of(const TubeSwap& swap) const {
   return {swap.at, {"crossing-in-view", {}, sentence, Strength::Plain}, beside_mark};
 }
 
-ChipRow::Chip SketchChips::chip_of(const ReadStroke& read) const {
-  const QString found = read.chosen ? QString() : " " + tr("(read from the drawing)");
-  const QString word = word_of(read.kind);
-  const QString sentence = tr("%1: %2. Click (with Q) to make it something else").arg(shown_name(read.stroke), word);
-  const Strength strength = read.chosen                        ? Strength::Half
-                            : read.kind == StrokeKind::Ignored ? Strength::Warning
-                                                               : Strength::Plain;
-  return {read.at, {"stroke-kind", word, sentence + found, strength}};
-}
-
 /// A menu below the chip of what its stroke can be.
 void SketchChips::ask_kind(const ReadStroke& read, QWidget& chip) {
   const Stroke* stroke = find_stroke(studio_.drawing(), read.stroke);
@@ -375,7 +377,9 @@ void SketchChips::follow() {
   nested_row_.show(chips_of(nested_));
   crossing_row_.show(chips_of(crossings_));
   tube_row_.show(chips_of(swaps_));
-  kind_row_.show(chips_of(kinds_));
+  std::vector<ChipRow::Chip> kind_chips;
+  std::ranges::transform(kinds_, std::back_inserter(kind_chips), kind_chip);
+  kind_row_.show(std::move(kind_chips));
   thickness_.follow(part, name_of(part.stroke));
 }
 
@@ -397,19 +401,6 @@ void SketchChips::join_all() {
   }
   if (joints_.empty()) return;
   studio_.set_parameter(studio_.solid_node(), "attach", to_text(text), false, tr("Join all parts").toStdString());
-}
-
-void SketchChips::copy_to_far_side() {
-  const Drawing& drawing = studio_.drawing();
-  std::vector<std::string> ids = tool_.selected();
-  if (ids.empty() && !drawing.strokes.empty()) ids.push_back(drawing.strokes.back().id);
-  for (const std::string& id : ids) {
-    const Body* body = body_with(bodies_, {id});
-    const std::vector<std::string> strokes = body == nullptr ? std::vector{id} : body->strokes;
-    const auto copied = std::ranges::find_if(strokes, [&](const auto& each) { return has_far_copy(drawing, each); });
-    const bool is_copied = copied != strokes.end();
-    set({.stroke = is_copied ? *copied : id, .far_copy = !is_copied}, false);
-  }
 }
 
 /// Of the solid; nothing while the text has mistakes, which findings name.

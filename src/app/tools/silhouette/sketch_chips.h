@@ -79,9 +79,6 @@ class SketchChips : public QObject {
   /// Joins every pair that is offered.
   void join_all();
 
-  /// Makes second ones of the selected parts, or else of the last one drawn, on the far side; takes away those that are.
-  void copy_to_far_side();
-
   void place(ChipPlaces& places, bool shown);
 
   /// Nothing for a stroke that isn't there any more.
@@ -98,7 +95,6 @@ class SketchChips : public QObject {
   ChipRow::Chip chip_of(const NestedStroke& nested) const;
   ChipRow::Chip chip_of(const StrokesInView& crossing) const;
   ChipRow::Chip chip_of(const TubeSwap& swap) const;
-  ChipRow::Chip chip_of(const ReadStroke& read) const;
   void ask_kind(const ReadStroke& read, QWidget& chip);
 
   AttachText attach() const;
