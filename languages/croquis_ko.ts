@@ -1804,6 +1804,14 @@
         <translation>%1의 두께입니다. 앞면을 드래그하거나 클릭하여 입력하세요</translation>
     </message>
     <message>
+        <source>(read from the drawing)</source>
+        <translation>(드로잉에서 인식함)</translation>
+    </message>
+    <message>
+        <source>%1: %2. Click (with Q) to make it something else</source>
+        <translation>%1: %2. (Q 모드에서) 클릭하면 다른 종류로 바꿀 수 있습니다</translation>
+    </message>
+    <message>
         <source>Hidden line</source>
         <translation>숨은 선</translation>
     </message>
@@ -1888,20 +1896,12 @@
         <translation>%1의 앞쪽 부위입니다. 클릭하면 구멍이 됩니다</translation>
     </message>
     <message>
-        <source>(read from the drawing)</source>
-        <translation>(드로잉에서 인식함)</translation>
-    </message>
-    <message>
         <source>In front: %1. Behind: %2. Click to swap them</source>
         <translation>앞: %1. 뒤: %2. 클릭하면 서로 바뀝니다</translation>
     </message>
     <message>
         <source>%1 passes over itself. Click to swap the strands</source>
         <translation>%1이(가) 자신의 위로 지나갑니다. 클릭하면 두 가닥이 뒤바뀝니다</translation>
-    </message>
-    <message>
-        <source>%1: %2. Click (with Q) to make it something else</source>
-        <translation>%1: %2. (Q 모드에서) 클릭하면 다른 종류로 바꿀 수 있습니다</translation>
     </message>
     <message>
         <source>As read from the drawing</source>
@@ -3438,6 +3438,14 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Objects that are held together where they overlap: auto for all that look it, else pairs: A,B or A,B=K grow together, K from 0 to 1 being the least distance of their middles in parts of that of touching ones, 0.55 unless said, and A,B=K:R with a seam of radius R, 0 to 1; A,B=rest touch, A,B=apart keep a gap.</source>
         <translation>겹치는 곳에서 서로 붙는 오브젝트입니다. auto는 붙어 보이는 모든 오브젝트에 적용되며, 그 외에는 쌍으로 지정합니다: A,B 또는 A,B=K는 하나로 이어지고, K(0~1)는 맞닿은 두 오브젝트의 중심 거리를 기준으로 한 최소 중심 거리 비율이며 지정하지 않으면 0.55입니다. A,B=K:R은 반지름 R(0~1)의 이음매로 이어지고, A,B=rest는 맞닿으며, A,B=apart는 간격을 유지합니다.</translation>
+    </message>
+    <message>
+        <source>Overlaps swapped</source>
+        <translation>뒤바꾼 겹침</translation>
+    </message>
+    <message>
+        <source>Overlaps of tubes, by their index in the report, at which the lower strand comes to the front: a knot becomes another one.</source>
+        <translation>아래 가닥을 앞으로 가져올 튜브의 겹침(보고서의 번호): 매듭이 다른 매듭이 됩니다.</translation>
     </message>
     <message>
         <source>Outlines that cross</source>

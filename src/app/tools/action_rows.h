@@ -38,7 +38,7 @@ inline QList<QAction*> add_rows(ActionList& actions, QMenu* menu, const std::vec
   return added;
 }
 
-/// An action that is on or off. @param take is told which
+/// An action that is on or off. @param take gets which
 inline QAction* add_toggle(ActionList& actions, QMenu* menu, const QString& name, const QString& text,
                            const QList<QKeySequence>& keys, std::function<void(bool on)> take,
                            Recorded recorded = Recorded::AsAction) {

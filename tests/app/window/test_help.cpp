@@ -137,8 +137,8 @@ TEST_CASE("the buttons of tools show the tool at work while the pointer is on th
   hand.act("new-surface");
   auto* shown = hand.window().findChild<QWidget*>("tool-movie");
   REQUIRE(shown != nullptr);
-  for (const char* tool : {"draw", "erase", "select", "move", "rotate", "scale", "sharpen", "holes", "measure", "patch",
-                           "surface-point", "inner-curve"}) {
+  for (const char* tool : {"draw", "tube", "erase", "select", "move", "rotate", "scale", "sharpen", "holes", "measure",
+                           "patch", "surface-point", "inner-curve"}) {
     INFO(tool);
     QWidget* button = hand.window().findChild<QToolBar*>("tools")->widgetForAction(hand.window().action(tool));
     REQUIRE(button != nullptr);

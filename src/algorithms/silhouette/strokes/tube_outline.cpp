@@ -139,7 +139,7 @@ Points smoothed(const Points& line, bool closed, double reach) {
   TaubinOptions smoothing;
   smoothing.passes = tube_smoothing_passes;
   if (closed) return taubin_smooth(line, true, smoothing);
-  const std::size_t more = std::min<std::size_t>(line.size() - 1, 2 * tube_smoothing_passes);
+  const std::size_t more = std::min<std::size_t>(line.size() - 1, 2 * std::size_t{tube_smoothing_passes});
   const auto beyond = [&](bool at_start, std::size_t k) -> Vec2 {
     const Vec2& end = end_of(line, at_start);
     const Vec2 back = (at_start ? line[k] : line[line.size() - 1 - k]) - end;
