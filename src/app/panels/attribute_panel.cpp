@@ -42,7 +42,7 @@ void add_ends(QSlider* slider, QHBoxLayout* row, const std::vector<std::string>&
   constexpr double small = 0.8;
   auto* grid = new QGridLayout;
   grid->setVerticalSpacing(0);
-  grid->setHorizontalSpacing(4);
+  grid->setHorizontalSpacing(2);
   row->removeWidget(slider);
   row->insertLayout(0, grid, 1);
   grid->addWidget(slider, 0, 0, 1, 2);
@@ -253,7 +253,7 @@ PlacementFields::PlacementFields(QWidget* parent) : QWidget(parent), evenly_(new
   setObjectName("placement");
   auto* grid = new QGridLayout(this);
   grid->setVerticalSpacing(3);
-  grid->setHorizontalSpacing(4);
+  grid->setHorizontalSpacing(2);
   const std::array names{"position", "rotation", "size"};
   const std::array titles{tr("Position"), tr("Rotation"), tr("Size")};
   const std::array tips{tr("Where the middle of its box is: x, y, z"),
