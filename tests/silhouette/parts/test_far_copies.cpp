@@ -83,7 +83,7 @@ Symmetry symmetry_of(const Solid& solid, const std::string& object) {
 }  // namespace
 
 TEST_CASE("limbs of characters have mirrored ones on the far side, and all is one sound surface") {
-  const auto every = static_cast<std::size_t>(test::sample_count(3, 1));
+  const auto every = static_cast<std::size_t>(test::sample_count(4, 1));
   std::size_t copied = 0, refused = 0, characters = 0;
   for (const test::Character& character : test::animal_characters()) {
     const Drawing drawing = test::character_sketch(character).drawing;
