@@ -123,8 +123,7 @@ struct Options {
   std::vector<AttachedPair> attach;  ///< of two entries for one pair the later counts
   bool attach_suggested = false;     ///< pairs not named above are held as `attach_suggestions` says
   DetailOptions details;
-  std::vector<Index>
-      swaps;  ///< overlaps of tubes that are turned round, see `swap_overlaps`; an even number of times: not
+  std::vector<Index> swaps;          ///< overlaps of tubes that are turned round, see `swap_overlaps`
   Quality quality = Quality::Final;  ///< of the surface; the labelled figure is the same for both
   StageCache* cache = nullptr;       ///< results of earlier runs, not owned; null: everything is computed
 

@@ -219,11 +219,14 @@ void part_copies(const LabelledFigure& figure, FigureShells& made, Progress& pro
     return shell == made.shells.end() ? 0 : middle_depth(shell->mesh);
   };
   constexpr int most_moves = 6;
-  for (int k = 0; k <= most_moves; ++k) {
+  bool any_meets = true;
+  for (int k = 0; any_meets && k <= most_moves; ++k) {
+    any_meets = false;
     const FacesOfShells meeting = meeting_by_shell(made.shells, figure.unit, progress);
     for (auto shell = meeting.rbegin(); shell != meeting.rend(); ++shell) {
       const auto place = made.shells.begin() + static_cast<std::ptrdiff_t>(shell->first);
       if (!is_lone_copy(*place)) continue;
+      any_meets = true;
       const Index object = drawn_object(figure, place->objects.front());
       if (k == most_moves) {
         made.lost.push_back(object);
