@@ -147,9 +147,9 @@ void PanelDocks::show_all(bool shown) {
 }
 
 QString PanelDocks::useful() const {
-  QStringList names;
+  QStringList names{"panels"};
   for (const Panel& panel : panels_) {
-    if (panel.useful) names << panel.dock->objectName();
+    if (panel.useful && panel.in_front) names << panel.dock->objectName();
   }
   return names.join(' ');
 }

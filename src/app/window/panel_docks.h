@@ -91,7 +91,7 @@ class PanelDocks : public QObject {
 
   Panel* panel_of(const QDockWidget* dock);
   void apply(const Panel& panel);
-  QString useful() const;  ///< names of those that have something to show
+  QString useful() const;  ///< names of the tools' own ones that have something to show; others come and go
 
   QMainWindow& window_;
   QList<Panel> panels_;
