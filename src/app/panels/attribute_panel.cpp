@@ -221,7 +221,7 @@ NumberNote note_of(const Studio& studio, const Node& node, const ParameterDescri
   return note;
 }
 
-constexpr std::size_t longest_unit = 8;  ///< "degrees"; longer ones are in the help, so that titles stay short
+constexpr std::size_t longest_unit = 8;  ///< longer ones are in the help, so that titles stay short
 constexpr int least_width = 52;          // three of them beside their title
 constexpr double farthest = 1e12;
 
@@ -245,6 +245,7 @@ ParameterField* add_parameter_row(QFormLayout& form, const ParameterDescription&
 QString parameter_title(const ParameterDescription& description) {
   QString title = shown_text(title_of(description));
   const bool is_short = description.unit.size() <= longest_unit;
+  if (description.unit == "degrees") return title + " (°)";
   if (!description.unit.empty() && is_short) title += " (" + shown_text(description.unit) + ")";
   return title;
 }
