@@ -147,7 +147,7 @@ TEST_CASE("what is under the pointer lights up, and a tagged edge shows its shar
   const double before = test::share_of_pixels(hand.picture(), around, blue);
   hand.send_mouse(QEvent::MouseMove, at, Qt::NoButton, Qt::NoModifier);
   CHECK(test::share_of_pixels(hand.picture(), around, blue) > before + 0.01);
-  auto* value = hand.viewport().findChild<QLabel*>("edge-value");
+  auto* value = hand.viewport().findChild<QLabel*>("pointer-value");
   CHECK(value->isVisible());
   CHECK(value->text() == "∞");
 }

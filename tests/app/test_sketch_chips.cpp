@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people change about how a sketch is read: chips over the sketch, strokes drawn behind, pieces cut out.
 #include <QAction>
+#include <QColorDialog>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QMenu>
 #include <QTest>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
-#include "app/studio_fixture.h"
+#include "app/dialogs.h"
+#include "app/files/mesh_export.h"
 #include "app/tools/silhouette/sketch_chip.h"
 #include "app/tools/silhouette/sketch_chips.h"
 #include "croquis/operators/inflate_result.h"
@@ -340,6 +343,34 @@ TEST_CASE("a key makes a second one of the last part on the far side, which foll
   CHECK(extent() == Approx(one));
   hand.act("undo");
   CHECK(extent() == Approx(two));
+}
+
+TEST_CASE("a part gets a colour, which is seen, undone and exported", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.window().set_unattended();
+  hand.look_at({-260, -260}, {260, 200});
+  hand.draw(round_line({0, 0}, 110));
+  hand.settle();
+  const auto orange = [](const QColor& color) { return color.red() > 120 && color.blue() < color.red() / 2; };
+  const QRectF view = hand.viewport().pane(app::PerspectiveView).rect;
+  CHECK(share_of_pixels(hand.picture(), view, orange) < 0.01);
+  in_dialog<QColorDialog>([](QColorDialog& dialog) {
+    dialog.setCurrentColor(QColor("#ff7000"));
+    dialog.accept();
+  });
+  hand.act("part-colour");
+  hand.settle();
+  CHECK(fill_of(hand.studio().drawing(), "stroke 1") == "#ff7000");
+  CHECK(share_of_pixels(hand.picture(), view, orange) > 0.1);
+  const QString file = hand.folder() + "/part.ply";
+  app::export_solid(hand.studio(), file);
+  QFile written(file);
+  REQUIRE(written.open(QIODevice::ReadOnly));
+  CHECK(written.read(600).contains("property uchar red"));
+  hand.act("undo");
+  hand.settle();
+  CHECK(fill_of(hand.studio().drawing(), "stroke 1").empty());
+  CHECK(share_of_pixels(hand.picture(), view, orange) < 0.01);
 }
 
 TEST_CASE("a part reaches as far as its own faces do", "[sketch-chips]") {

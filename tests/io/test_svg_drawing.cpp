@@ -423,3 +423,23 @@ TEST_CASE("a cancelled reading stops") {
   const std::string svg = path("M0 0L1 1");
   CHECK_THROWS_AS(read_svg_drawing(svg, "test.svg", progress), Cancelled);
 }
+
+TEST_CASE("the fill of a closed stroke is its colour, however the file says it", "[svg]") {
+  const std::string closed = "d=\"M0 0H4V4Z\"", open = "d=\"M0 0H4V4\"";
+  const auto fill = [](const std::string& body) {
+    const Stroke stroke = only_stroke(in_svg(body));
+    const auto found = stroke.data.find("fill");
+    return found == stroke.data.end() ? std::string() : found->second;
+  };
+  CHECK(fill("<path fill=\"#F80\" " + closed + "/>") == "#ff8800");
+  CHECK(fill("<path style=\"fill:rgb(0, 136, 255);stroke:#000\" " + closed + "/>") == "#0088ff");
+  CHECK(fill("<path fill=\"rgb(0%, 20%, 100%)\" " + closed + "/>") == "#0033ff");
+  CHECK(fill("<g fill=\"Pink\"><path " + closed + "/></g>") == "#ffc0cb");
+  CHECK(fill("<style>.a { fill: #00ff7f }</style><path class=\"a\" " + closed + "/>") == "#00ff7f");
+  CHECK(fill("<path data-fill=\"#010203\" fill=\"red\" " + closed + "/>") == "#010203");
+  for (const std::string none : {"fill=\"none\" ", "fill=\"black\" ", "fill=\"url(#g)\" ", "fill=\"#12345\" ", ""})
+    CHECK(fill("<path " + none + closed + "/>").empty());
+  CHECK(fill("<path fill=\"red\" " + open + "/>").empty());
+  DrawingReadResult once = read(in_svg("<path fill=\"red\" " + closed + "/>"));
+  CHECK(only_stroke(write_svg_drawing(once.drawing)).data.at("fill") == "#ff0000");
+}

@@ -61,7 +61,8 @@ struct SolidDiagnostics {
 
 /// The solids of a drawing.
 struct Solid {
-  PolyMesh mesh;      ///< triangles of all objects; face channel "object" names the one that a face came from
+  PolyMesh mesh;      ///< triangles of all objects; face channel "object" names the one that a face came from; where
+                      ///< strokes have a `fill_key`, vertex channel "color", grey for parts without colour
   PolyMesh skeleton;  ///< polylines; vertex channel "radius"
   std::vector<SolidObject> objects;
   std::vector<SolidShell> shells;

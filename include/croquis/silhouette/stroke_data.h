@@ -46,6 +46,16 @@ inline constexpr const char* copy_key = "copy";
 inline constexpr const char* copy_far = "far";
 bool has_far_copy(const std::map<std::string, std::string>& data);  ///< of a stroke or a group
 
+/// "fill", of a closed stroke or a group: the colour of the part that it bounds, "#rrggbb". It changes no shape. Parts
+/// without one have that of a part that they are attached to.
+inline constexpr const char* fill_key = "fill";
+
+/// "mirror": x of a vertical line, in the drawing's units, on both sides of which the stroke is the same. "twin": the id
+/// of its mirror image, where that is a stroke of its own. Where all outlines have the same line, so has the solid: the
+/// right half has the same numbers as the left one.
+inline constexpr const char* mirror_key = "mirror";
+inline constexpr const char* twin_key = "twin";
+
 /// "radius", of kind "tube": the stroke is the centre line of a tube. One number above 0 in the drawing's units, or
 /// several separated by commas: one a sample, else spread evenly over the length. One number is multiplied by 0.4 + 1.2
 /// times the pen's pressure where that varies.

@@ -2,9 +2,12 @@
 #include "croquis/silhouette/solid.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,7 +15,9 @@
 #include "algorithms/silhouette/figure_solid.h"
 #include "algorithms/silhouette/solid_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
+#include "algorithms/silhouette/surface/mirror_halves.h"
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/geometry/polyline.h"
 #include "croquis/silhouette/stroke_data.h"
 
@@ -207,6 +212,106 @@ void require_use(const LabelledDrawing& labelled, const Drawing& drawing, const 
   throw Error(std::move(findings));
 }
 
+/// The text that a stroke has under a key; empty for none.
+std::string said(const Stroke& stroke, const char* key) {
+  const auto found = stroke.data.find(key);
+  return found == stroke.data.end() ? std::string() : found->second;
+}
+
+/// The line on both sides of which all outlines are the same; none where that isn't so.
+std::optional<double> common_mirror(const Drawing& drawing, const Solid& solid) {
+  std::string words;
+  for (const SolidObject& object : solid.objects) {
+    for (const Index stroke : object.strokes) {
+      const std::string own = said(drawing.strokes[stroke], mirror_key);
+      if (own.empty() || (!words.empty() && own != words)) return std::nullopt;
+      words = own;
+    }
+  }
+  double axis = 0;
+  return read_number(words, axis) ? std::optional(axis) : std::nullopt;
+}
+
+/// Per object the one that its mirror image belongs to: itself where its strokes have no twins.
+std::vector<std::int32_t> mirror_images(const Drawing& drawing, const Solid& solid) {
+  std::vector<std::int32_t> images(solid.objects.size());
+  for (std::size_t o = 0; o < images.size(); ++o) {
+    images[o] = static_cast<std::int32_t>(o);
+    const std::string twin = said(drawing.strokes[solid.objects[o].strokes.front()], twin_key);
+    for (std::size_t other = 0; other < images.size(); ++other) {
+      const auto is_twin = [&](Index stroke) { return drawing.strokes[stroke].id == twin; };
+      if (std::ranges::any_of(solid.objects[other].strokes, is_twin)) images[o] = static_cast<std::int32_t>(other);
+    }
+  }
+  return images;
+}
+
+/// Makes both halves of a symmetric drawing's solid the same, to the last digit.
+void make_symmetric(const Drawing& drawing, Solid& solid, Progress& progress) {
+  const std::optional<double> axis = common_mirror(drawing, solid);
+  if (!axis) return;
+  if (auto mesh = with_mirrored_half(solid.mesh, *axis, mirror_images(drawing, solid), progress)) {
+    solid.mesh = std::move(*mesh);
+  } else {
+    solid.findings.push_back(make_warning(
+        Category::Geometry, "W_MIRROR",
+        "The solid is symmetric but for small differences: at the symmetry line its halves can't be joined; move parts "
+        "that touch the line away from it, or onto it"));
+  }
+}
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// "#0088ff"; nothing for any other text.
+std::optional<Rgb> color_of(const std::string& text) {
+  Rgb color{};
+  if (text.size() != 7 || text.front() != '#') return std::nullopt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char* digits = text.data() + 1 + 2 * i;
+    const auto [end, error] = std::from_chars(digits, digits + 2, color[i], 16);
+    if (error != std::errc() || end != digits + 2) return std::nullopt;
+  }
+  return color;
+}
+
+/// Of the group that names the object, or of the first of its strokes that has one.
+std::optional<Rgb> drawn_color(const Drawing& drawing, const SolidObject& object) {
+  const auto fill_of = [](const std::map<std::string, std::string>& data) {
+    const auto found = data.find(fill_key);
+    return found == data.end() ? std::nullopt : color_of(found->second);
+  };
+  const auto group = drawing.object_data.find(object.name);
+  std::optional<Rgb> color = group == drawing.object_data.end() ? std::nullopt : fill_of(group->second);
+  for (const Index stroke : object.strokes) {
+    if (!color) color = fill_of(drawing.strokes[stroke].data);
+  }
+  return color;
+}
+
+/// Colours of parts, where any has one.
+void color_parts(const Drawing& drawing, Solid& solid) {
+  std::vector<std::optional<Rgb>> colors;
+  for (const SolidObject& object : solid.objects) colors.push_back(drawn_color(drawing, object));
+  if (std::ranges::none_of(colors, [](const auto& color) { return color.has_value(); })) return;
+  for (const SolidShell& shell : solid.shells) {
+    const auto first = std::ranges::find_if(shell.objects, [&](Index object) { return colors[object].has_value(); });
+    if (first == shell.objects.end()) continue;
+    for (const Index object : shell.objects) {
+      if (!colors[object]) colors[object] = colors[*first];
+    }
+  }
+  constexpr std::uint8_t grey = 200;
+  std::vector<std::uint8_t> values(3 * solid.mesh.positions.size(), grey);
+  const auto& objects = std::get<std::vector<std::int32_t>>(solid.mesh.channel("object", Domain::Face)->data);
+  for (Index face = 0; face < solid.mesh.face_count(); ++face) {
+    const auto& color = colors[static_cast<std::size_t>(objects[face])];
+    if (!color) continue;
+    for (const Index vertex : solid.mesh.face(face))
+      std::copy(color->begin(), color->end(), values.begin() + 3 * vertex);
+  }
+  solid.mesh.channels.push_back({"color", Domain::Vertex, 3, std::move(values), {}});
+}
+
 }  // namespace
 
 Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
@@ -235,6 +340,8 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
     Progress carving = progress.step("carve details", carving_share);
     carve_lines(drawing, options.details, unit, solid, carving);
   }
+  if (options.quality == Quality::Final) make_symmetric(drawing, solid, progress);
+  color_parts(drawing, solid);
   const bool measured = made.overlap.either > 0;
   solid.diagnostics.silhouette_iou = measured ? made.overlap.ratio() : std::numeric_limits<double>::quiet_NaN();
   progress.report(1);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/files/file_reader.h"
+#include "app/panels/number_box.h"
 #include "app/views/viewport.h"
 #include "croquis/base/error.h"
 #include "croquis/workspace/chain.h"
@@ -84,6 +85,7 @@ Tool::Tool(ToolHost& host, const QString& about) : help_topic(about), host_(host
 
 void Tool::take(const PointerEvent& event) {
   const bool leaves = event.action == PointerEvent::Action::Leave;
+  if (!leaves) pointer_ = {event.view, event.position};
   if (!leaves || !drags_leave_views_) {
     last_time_ = event.time;
     since_event_.start();
@@ -119,6 +121,17 @@ std::optional<SelectionFrame> frame_around(render::Bounds selected, const glm::d
   selected.add(middle - around / 2.0);
   selected.add(middle + around / 2.0);
   return SelectionFrame{selected, std::nullopt, true};
+}
+
+QString axes_text(Eigen::Ref<const Eigen::VectorXd> vector) {
+  QStringList parts;
+  for (int axis = 0; axis < vector.size(); ++axis) parts << QChar('x' + axis) + (' ' + number_words(vector[axis]));
+  return parts.join(QStringLiteral("  "));
+}
+
+QString way_text(Eigen::Ref<const Eigen::VectorXd> by, const Studio& studio) {
+  const QString unit = QString::fromStdString(studio.unit());
+  return (number_words(by.norm()) + ' ' + unit).trimmed() + QStringLiteral("   ") + axes_text(by);
 }
 
 QString sentences_of(const Findings& findings) { return sentences_of(findings, {}).join(' '); }

@@ -149,12 +149,19 @@ struct ToolWords {
   QString status = {};   ///< about the active object, at the end of the help line
 };
 
+/// Where the pointer is, in the pixels of its view.
+struct PointerPlace {
+  int view = 0;
+  Vec2 pixel = Vec2::Zero();
+};
+
 /// How a tool stands.
 struct ToolState {
   bool has_selection = false;
   bool picks_elements = false;  ///< what the pointer picks are elements of a mesh
   bool busy = false;            ///< something that it shows is still being made
   std::optional<Ink> ink = {};
+  QString beside_pointer = {};  ///< what a drag has done, or the number of what is there
 };
 
 /// Parts of a node, as the list of objects names them.
@@ -214,7 +221,8 @@ class Tool : public QObject {
   // ---- The pointer
   virtual void take(const PointerEvent& event);  ///< its place in pixels of its view
   bool down() const { return input_.down(); }    ///< a gesture is under way
-  virtual bool abandon();                        ///< gives it up. @return false when there was none
+  const PointerPlace& pointer() const { return pointer_; }
+  virtual bool abandon();  ///< gives it up. @return false when there was none
 
   virtual bool command(EditCommand) { return false; }  ///< @return false: it isn't this tool's
   virtual void add_all_to(Selection&) const {}         ///< what Select all selects beside meshes
@@ -253,6 +261,7 @@ class Tool : public QObject {
 
  private:
   ToolHost& host_;
+  PointerPlace pointer_;
   QTimer watch_;  ///< of a stroke under way: a pen may vanish without an event
   double last_time_ = 0;
   QElapsedTimer since_event_;
@@ -266,6 +275,11 @@ void show_sketch_view(Viewport& views);
 
 /// What is selected with what is around it; nothing for an empty box. @param around the least size of what is shown
 std::optional<SelectionFrame> frame_around(render::Bounds selected, const glm::dvec3& around);
+
+/// Three or two numbers as "x 1  y 2  z 3".
+QString axes_text(Eigen::Ref<const Eigen::VectorXd> vector);
+/// How far a drag has come, in the document's unit, and its parts along the axes.
+QString way_text(Eigen::Ref<const Eigen::VectorXd> by, const Studio& studio);
 
 /// Sentences of findings, one after the other, each with its full stop.
 QString sentences_of(const Findings& findings);

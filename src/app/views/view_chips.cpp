@@ -207,6 +207,15 @@ void ViewChips::place(const Views& views) {
   if (!counts_->text().isEmpty() && places.scene_pane().visible())
     chips_.put(*counts_, QPointF(scene.right() - counts_->width() - 10, scene.top() + 8), all);
   if (!message_->text().isEmpty()) chips_.put_in_middle(*message_, all.center().y(), all);
+  for (const Tool* tool : views.tools) {
+    const QString text = tool->state().beside_pointer;
+    if (text.isEmpty()) continue;
+    constexpr QPointF from_pointer(14, -24);
+    const PointerPlace& pointer = tool->pointer();
+    const QPointF at(pointer.pixel.x(), pointer.pixel.y());
+    const QPointF view = views.layout.pane(pointer.view).rect.topLeft();
+    chips_.put_value("pointer-value", text, "#609ce6", view + at + from_pointer, all);
+  }
   chips_.end();
   for (Tool* tool : views.tools) tool->place_chips(places);
 }

@@ -8,6 +8,7 @@
 
 #include "croquis/base/limits.h"
 #include "croquis/geometry/drawing.h"
+#include "io/svg/svg_color.h"
 #include "io/svg/svg_file.h"
 #include "io/svg/svg_shapes.h"
 #include "io/text.h"
@@ -97,21 +98,29 @@ bool is_upright_box(const SvgSubpath& outline) {
   return (from - outline.start).cwiseAbs().minCoeff() <= slack;
 }
 
+/// What an element or the nearest one around it says, also where a `use` shows it.
+std::string inherited(const SvgFile& file, const std::vector<pugi::xml_node>& path, std::string_view name) {
+  for (auto node = path.rbegin(); node != path.rend(); ++node) {
+    std::string value = file.property(*node, name);
+    if (!value.empty() && value != "inherit") return value;
+  }
+  return {};
+}
+
+/// The colour of a filled shape as text; empty for none, and for black, which files have that don't mean a colour.
+std::string fill_of(const SvgFile& file, const std::vector<pugi::xml_node>& path) {
+  const auto color = svg_color(inherited(file, path, "fill"));
+  return !color || *color == SvgColor{} ? std::string() : hexadecimal_text(*color);
+}
+
 /// How a shape is painted.
 enum class Paint { Line, Filling, Nothing };
 
 /// Of a file in which nothing says so, a shape is filled.
 Paint paint_of(const SvgFile& file, const std::vector<pugi::xml_node>& path) {
-  const auto inherited = [&](std::string_view name) {
-    for (auto node = path.rbegin(); node != path.rend(); ++node) {
-      std::string value = file.property(*node, name);
-      if (!value.empty() && value != "inherit") return value;
-    }
-    return std::string();
-  };
-  const std::string stroke = inherited("stroke");
+  const std::string stroke = inherited(file, path, "stroke");
   if (!stroke.empty() && stroke != "none" && stroke != "transparent") return Paint::Line;
-  return inherited("fill") == "none" ? Paint::Nothing : Paint::Filling;
+  return inherited(file, path, "fill") == "none" ? Paint::Nothing : Paint::Filling;
 }
 
 /// The object that a shape belongs to: its own or that of the nearest group with one.
@@ -178,12 +187,14 @@ void add_shape(SvgFile& file, SvgShownShape shown, std::vector<SvgShape>& shapes
   shape.stroke.object = object_of(shown.path);
   shape.stroke.data = data_attributes(shown.node);
   shape.paint = paint_of(file, shown.path);
+  const std::string fill = fill_of(file, shown.path);
   std::size_t number = 0;
   for (SvgSubpath& subpath : shown.subpaths) {
     if (subpath.segments.empty() && !subpath.closed) continue;  // a moveto alone draws nothing
     ++number;
     shape.stroke.id = number == 1 ? shown.id : file.unique_name(shown.id + '/' + std::to_string(number), shown.line);
     shape.outline = std::move(subpath);
+    if (shape.outline.closed && !fill.empty()) shape.stroke.data.try_emplace("fill", fill);
     if (!add_subpath(file, shown.map, shape, shapes)) return;
   }
 }

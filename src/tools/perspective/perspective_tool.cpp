@@ -241,6 +241,7 @@ void PerspectiveTool::go_on(const SketchEvent& event) {
   if (now.kind == SheetGesture::Kind::Press && (now.last - now.from).norm() > options_.drag_pixels * unit) start_drag();
   if (now.kind == SheetGesture::Kind::Box) preview_.box = now.box();
   if (!now.original) return;
+  preview_.moved = now.last - now.from;
   now.step = dragged_step(now, options_.pick_pixels * unit);
   SheetEdit edit = *edited_by(*now.original, *now.step, context());
   if (!drag_.begun()) drag_.begin(edit.label);

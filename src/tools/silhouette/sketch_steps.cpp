@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "croquis/base/text.h"
+
 namespace croquis::recorded {
 namespace {
 
@@ -34,6 +36,7 @@ void StrokeDrawn::describe(Fields& fields) {
   scale = units.value_or(0);
   fields.seldom("behind", behind);
   fields.seldom("tube", tube);
+  fields.seldom("mirror", mirror);
   fields.require(!tube || *tube > 0, "\"tube\" must be a number above 0");
 }
 
@@ -55,10 +58,16 @@ void StrokeReading::describe(Fields& fields) {
   fields.require(!copy || copy->empty() || *copy == silhouette::copy_far, "\"copy\" must be far, or empty for none");
   if (copy) far_copy = !copy->empty();
   fields.seldom("over", over);
+  fields.seldom("fill", fill);
+  fields.seldom("mirror", mirror);
+  double axis = 0;
+  fields.require(!mirror || mirror->empty() || read_number(*mirror, axis),
+                 "\"mirror\" must be a number, or empty for none");
   const int given = kind.has_value() + in_front_of.has_value() + thickness.has_value() + title.has_value() +
-                    far_copy.has_value() + over.has_value();
-  fields.require(given == 1,
-                 "one of \"kind\", \"in-front-of\", \"thickness\", \"title\", \"copy\" and \"over\" is set");
+                    far_copy.has_value() + over.has_value() + fill.has_value() + mirror.has_value();
+  fields.require(
+      given == 1,
+      "one of \"kind\", \"in-front-of\", \"thickness\", \"title\", \"copy\", \"over\", \"fill\" and \"mirror\" is set");
 }
 
 const Vocabulary& sketch_steps() {

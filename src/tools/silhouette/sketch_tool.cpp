@@ -9,6 +9,7 @@
 #include "croquis/tools/silhouette/stroke_erasing.h"
 #include "croquis/tools/silhouette/stroke_setting.h"
 #include "croquis/tools/strokes/stroke_source.h"
+#include "tools/silhouette/mirror_strokes.h"
 #include "tools/silhouette/redraw.h"
 
 namespace croquis {
@@ -60,6 +61,8 @@ std::string setting_label(const recorded::StrokeReading& setting) {
   if (setting.far_copy == true) return "Make a far copy of " + stroke;
   if (setting.far_copy) return "Take away the far copy of " + stroke;
   if (setting.over) return "Swap strands of " + stroke;
+  if (setting.mirror) return (setting.mirror->empty() ? "End the symmetry of " : "Mirror ") + stroke;
+  if (setting.fill) return "Set colour of " + stroke;
   if (setting.kind) return "Make " + stroke + " a " + silhouette::to_string(*setting.kind);
   return "Set thickness of " + stroke;
 }
@@ -71,6 +74,8 @@ DrawingEdit setting_edit(const Drawing& drawing, const recorded::StrokeReading& 
   if (setting.title) return set_title(drawing, id, *setting.title);
   if (setting.far_copy) return set_far_copy(drawing, id, *setting.far_copy);
   if (setting.over) return set_over(drawing, id, *setting.over);
+  if (setting.mirror) return set_mirror(drawing, id, *setting.mirror);
+  if (setting.fill) return set_fill(drawing, id, *setting.fill);
   return set_thickness(drawing, id, setting.thickness.value_or(1));
 }
 
@@ -131,10 +136,12 @@ std::optional<SketchChange> drawn_stroke(const SketchEvent& start, const SketchP
   options.redraws = !start.modifiers.ctrl;
   options.behind = drawn.behind;
   options.tube = drawn.tube;
+  options.mirror = drawn.mirror;
   DrawingEdit edit = draw_stroke(before ? *before : Drawing{}, drawn.ink, options);
   const std::string label =
       edit.added.empty() ? strokes_label("Redraw", edit.changed) : strokes_label("Draw", edit.added);
-  recorded::StrokeDrawn step{"sketch", drawn.ink, device_name(start), start.units_per_pixel, drawn.behind, drawn.tube};
+  recorded::StrokeDrawn step{"sketch",     drawn.ink,  device_name(start), start.units_per_pixel,
+                             drawn.behind, drawn.tube, drawn.mirror};
   for (StrokeSample& sample : step.points) sample.time -= drawn.ink.front().time;
   return SketchChange{std::move(edit), label, std::move(step)};
 }
@@ -153,9 +160,11 @@ std::optional<SketchChange> erased_strokes(const SketchEvent& start, const Sketc
 
 /// The document with what an edit has made of the drawing; what is made of the drawing follows strokes that go.
 /// @param node of the drawing; 0: it becomes a new one
-Document with_edit(const Document& before, NodeId node, const DrawingEdit& edit, const SketchToolOptions& options) {
-  const Value drawing = std::make_shared<const Drawing>(edit.drawing);
+Document with_edit(const Document& before, NodeId node, DrawingEdit edit, const SketchToolOptions& options) {
   const Node* old = before.find(node);
+  const auto drawn = source_of<Drawing>(old);
+  edit = on_both_sides(drawn ? *drawn : Drawing{}, std::move(edit));
+  const Value drawing = std::make_shared<const Drawing>(edit.drawing);
   if (old == nullptr) return add_drawing(before, drawing, options);
   Node edited = *old;
   edited.source = drawing;
@@ -223,6 +232,7 @@ void SketchTool::begin(const SketchEvent& event) {
     preview_.ink = {event.sample};
     preview_.behind = event.right || event.modifiers.shift;
     preview_.tube = options_.tube;
+    preview_.mirror = options_.mirror;
     return;
   }
   pick(now, *this, options_.reach);
@@ -245,6 +255,7 @@ void SketchTool::go_on(const SketchEvent& event) {
   if (now.kind == SketchGesture::Kind::Press && now.way().norm() > options_.drag_pixels * unit) start_drag();
   if (now.kind == SketchGesture::Kind::Box) preview_.box = now.box();
   if (now.kind != SketchGesture::Kind::Anchor && now.kind != SketchGesture::Kind::Strokes) return;
+  preview_.moved = now.way();
   const DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
                                       : move_strokes(*now.original, selected(), now.way());
   drag_.to(with_edit(session_.document(), node(), edit, options_));

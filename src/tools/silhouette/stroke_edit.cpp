@@ -81,6 +81,7 @@ Stroke drawn_stroke(const Drawing& drawing, std::vector<StrokeSample> samples, c
   while (stroke.closed && stroke.samples.back().position == stroke.samples.front().position) stroke.samples.pop_back();
   stroke.data[scale_key] = to_text(options.units_per_pixel);
   if (options.behind) stroke.data[silhouette::behind_key] = silhouette::behind_all;
+  if (options.mirror) stroke.data[silhouette::mirror_key] = number_text(*options.mirror);
   return stroke;
 }
 

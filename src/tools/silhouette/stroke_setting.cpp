@@ -121,6 +121,31 @@ DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::s
   return edit;
 }
 
+DrawingEdit set_fill(const Drawing& drawing, const std::string& id, const std::string& color) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  set_entry(part_data(edit.drawing, stroke_of(edit.drawing, id)), silhouette::fill_key, color);
+  return edit;
+}
+
+DrawingEdit set_mirror(const Drawing& drawing, const std::string& id, const std::string& axis) {
+  DrawingEdit edit{drawing, {}, {id}, {}};
+  Stroke& stroke = stroke_of(edit.drawing, id);
+  set_entry(stroke.data, silhouette::mirror_key, axis);
+  if (!axis.empty()) return edit;
+  for (Stroke& other : edit.drawing.strokes) {
+    const auto twin = other.data.find(silhouette::twin_key);
+    if (&other == &stroke || twin == other.data.end() || twin->second != id) continue;
+    for (const char* key : {silhouette::mirror_key, silhouette::twin_key}) set_entry(other.data, key, "");
+    edit.changed.push_back(other.id);
+  }
+  set_entry(stroke.data, silhouette::twin_key, "");
+  return edit;
+}
+
+std::string fill_of(const Drawing& drawing, const std::string& id) {
+  return said_of_part(drawing, id, silhouette::fill_key);
+}
+
 std::string title_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::title_key);
 }

@@ -380,8 +380,10 @@ void SurfaceTool::drag() {
   if (!drag_.begun())
     drag_.begin(now.kind == SurfaceGesture::Kind::Ring ? "Set radius of point " + now.ring : edit.label);
   preview_.snap.reset();
-  if (const auto* step = now.step->as<recorded::SurfaceDrag>(); step != nullptr && !step->into.empty())
-    preview_.snap = SurfaceSnap{{step->into, {}, 0}, now.picked->place + step->by};
+  if (const auto* step = now.step->as<recorded::SurfaceDrag>()) {
+    preview_.moved = step->by;
+    if (!step->into.empty()) preview_.snap = SurfaceSnap{{step->into, {}, 0}, now.picked->place + step->by};
+  }
   if (const auto* step = now.step->as<recorded::SurfacePointSetting>()) preview_.radius = *step->setting.radius;
   drag_.to(with_network(on_both_sides(*now.original, std::move(edit.network), symmetry_, now.partners)));
 }

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QTest>
 #include <QTextBlock>
@@ -206,13 +207,41 @@ TEST_CASE("what a drag of a handle has done stands at the pointer", "[words]") {
   hand.picture();
   const auto& motion = hand.mesh().tool().preview().motion;
   REQUIRE(motion);
-  const auto* value = hand.viewport().findChild<QLabel*>("edge-value");
+  const auto* value = hand.viewport().findChild<QLabel*>("pointer-value");
   CHECK(value->isVisible());
   CHECK(value->text().startsWith(app::number_words(motion->by.norm())));
   CHECK(app::help_of(hand.viewport().views()).startsWith(value->text()));
   hand.send_mouse(QEvent::MouseButtonRelease, from + QPointF(60, 0), Qt::LeftButton, {});
   hand.picture();
   CHECK_FALSE(value->isVisible());
+}
+
+TEST_CASE("a drag of strokes, curves and lines in perspective says how far it has come", "[words]") {
+  for (const char* kind : {"sketch", "new-perspective", "new-surface"}) {
+    INFO(kind);
+    StudioFixture hand;
+    hand.window().set_unattended();
+    const bool is_surface = kind == std::string("new-surface");
+    if (kind != std::string("sketch")) hand.act(kind);
+    app::show_views(hand.window());
+    hand.settle();
+    const int view = is_surface ? app::PerspectiveView : app::SketchView;
+    const QPointF middle = hand.viewport().pane(view).rect.center();
+    hand.drag_pixels(middle - QPointF(80, 0), middle + QPointF(80, 0), Qt::LeftButton, {});
+    hand.settle();
+    hand.act("select");
+    hand.send_mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton, {});
+    for (const int by : {10, 20, 40}) hand.send_mouse(QEvent::MouseMove, middle + QPointF(by, by), Qt::LeftButton, {});
+    hand.picture();
+    const auto* value = hand.viewport().findChild<QLabel*>("pointer-value");
+    REQUIRE(value != nullptr);
+    CHECK(value->isVisible());
+    CHECK(value->text().contains(QRegularExpression("x -?[0-9.]+  y -?[0-9.]+")));
+    CHECK(value->text().contains("  z ") == is_surface);
+    hand.send_mouse(QEvent::MouseButtonRelease, middle + QPointF(40, 40), Qt::LeftButton, {});
+    hand.picture();
+    CHECK_FALSE(value->isVisible());
+  }
 }
 
 TEST_CASE("points and inner curves say what they lack before there is a patch", "[words]") {

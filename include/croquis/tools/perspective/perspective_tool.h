@@ -47,6 +47,7 @@ struct PerspectivePreview {
   std::optional<Vec2> snap;                  ///< the vertex that the end would go to
   std::vector<std::string> erased;           ///< Erase: ids of the strokes touched
   std::optional<PickBox> box;                ///< Select: the box spanned
+  std::optional<Vec2> moved;                 ///< Select: how far the pointer has dragged something; y down
 };
 
 struct SheetContext;

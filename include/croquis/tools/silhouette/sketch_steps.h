@@ -16,11 +16,12 @@ namespace croquis::recorded {
 /// A pen or mouse stroke; what it does depends on the tool's mode, as in the window.
 struct StrokeDrawn {
   std::string view = "sketch";
-  std::vector<StrokeSample> points;  ///< at least one; tilt isn't recorded
-  std::string device = "mouse";      ///< "mouse", "pen" or "eraser"
-  double scale = 0;                  ///< units per pixel of the view drawn in; 0 for the replaying view's own
-  bool behind = false;               ///< drawn with the right button, or with Shift: behind what is there
-  std::optional<double> tube = {};   ///< it is the centre line of a tube of this radius, sketch units, above 0
+  std::vector<StrokeSample> points;   ///< at least one; tilt isn't recorded
+  std::string device = "mouse";       ///< "mouse", "pen" or "eraser"
+  double scale = 0;                   ///< units per pixel of the view drawn in; 0 for the replaying view's own
+  bool behind = false;                ///< drawn with the right button, or with Shift: behind what is there
+  std::optional<double> tube = {};    ///< it is the centre line of a tube of this radius, sketch units, above 0
+  std::optional<double> mirror = {};  ///< x of the line on both sides of which it is the same, sketch units
 
   static constexpr std::array verbs{"stroke"};
   void describe(Fields& fields);
@@ -48,6 +49,8 @@ struct StrokeReading {
   std::optional<std::string> title = {};            ///< of the part that it bounds; empty: by its shape again
   std::optional<bool> far_copy = {};                ///< whether there is a second one of the part on the far side
   std::optional<std::string> over = {};             ///< of a tube: the words of its crossings, see silhouette::over_key
+  std::optional<std::string> mirror = {};  ///< x of the line on both sides of which it is the same; empty: none
+  std::optional<std::string> fill = {};    ///< "#rrggbb", of the part that it bounds; empty: none
 
   static constexpr std::array verbs{"stroke-set"};
   void describe(Fields& fields);

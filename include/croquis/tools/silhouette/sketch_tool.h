@@ -29,9 +29,10 @@ struct SketchToolOptions {
   ParameterValues parameters = {{"attach", std::string("auto")}};  ///< … and those parameters that it starts with
   /// The parameters of an operation on a drawing of which strokes were taken away; without it they stay.
   std::function<ParameterValues(ParameterValues, const Drawing&)> follow_removal;
-  PickReach reach;                  ///< its units_per_pixel is taken from each event
-  double eraser_pixels = 6;         ///< radius of the eraser
-  double drag_pixels = 4;           ///< a press that moves less is a click
+  PickReach reach;                    ///< its units_per_pixel is taken from each event
+  double eraser_pixels = 6;           ///< radius of the eraser
+  double drag_pixels = 4;             ///< a press that moves less is a click
+  std::optional<double> mirror = {};  ///< strokes are the same on both sides of the line with that x, sketch units
   std::optional<double> tube = {};  ///< strokes are centre lines of tubes of that radius, sketch units; none: outlines
 };
 
@@ -43,12 +44,14 @@ Document add_drawing(const Document& document, Value drawing, const SketchToolOp
 struct SketchPreview {
   std::vector<StrokeSample> ink;           ///< Draw: the samples so far, as they came
   bool behind = false;                     ///< Draw: the stroke will lie behind the others
+  std::optional<double> mirror;            ///< Draw: x of the line on both sides of which it will be the same
   std::optional<double> tube;              ///< Draw: it is the centre line of a tube of this radius
   std::vector<Vec2> eraser;                ///< Erase: the path so far
   std::vector<std::vector<Vec2>> erased;   ///< Erase: what it has covered of the strokes, open polylines
   std::optional<PickBox> box;              ///< Select: the box spanned
   std::optional<std::size_t> held_anchor;  ///< Select: of `held_stroke`, the anchor under way
   std::string held_stroke;
+  std::optional<Vec2> moved;  ///< Select: how far what is dragged has come
 };
 
 struct SketchGesture;
@@ -72,6 +75,8 @@ class SketchTool {
   void set_mode(SketchMode mode);  ///< gives up a gesture under way
 
   void set_tube(std::optional<double> radius) { options_.tube = radius; }
+  void set_mirror(std::optional<double> axis) { options_.mirror = axis; }
+  const std::optional<double>& mirror() const { return options_.mirror; }
 
   Verdict handle(const SketchEvent& event);
   const SketchPreview& preview() const { return preview_; }

@@ -90,13 +90,14 @@ double drawn_scale(const Drawing& drawing, const Stroke& stroke);
 StrokeFit fit_in_drawing(const Drawing& drawing, const Stroke& stroke);
 
 struct DrawOptions {
-  double units_per_pixel = 1;       ///< > 0, of the view drawn in; kept as the stroke's data "scale"
-  CloseOptions closing;             ///< its units_per_pixel is overridden by the one above
-  bool redraws = true;              ///< a stroke that follows an old one replaces that part of it
-  double redraw_distance = 10;      ///< pixels, how near the new stroke's ends must run to the old one …
-  double redraw_degrees = 35;       ///< … and how much they may differ in direction
-  std::optional<double> tube = {};  ///< the stroke is the centre line of a tube of this radius; it redraws nothing
-  bool behind = false;              ///< the stroke lies behind all that is drawn where they cross; it redraws nothing
+  double units_per_pixel = 1;         ///< > 0, of the view drawn in; kept as the stroke's data "scale"
+  CloseOptions closing;               ///< its units_per_pixel is overridden by the one above
+  bool redraws = true;                ///< a stroke that follows an old one replaces that part of it
+  double redraw_distance = 10;        ///< pixels, how near the new stroke's ends must run to the old one …
+  double redraw_degrees = 35;         ///< … and how much they may differ in direction
+  std::optional<double> tube = {};    ///< the stroke is the centre line of a tube of this radius; it redraws nothing
+  std::optional<double> mirror = {};  ///< x of the line on both sides of which it is the same, sketch units
+  bool behind = false;                ///< the stroke lies behind all that is drawn where they cross; it redraws nothing
 };
 
 /// Adds a drawn stroke, closed when its ends meet; what then overshoots the seam is left out. When both its ends run

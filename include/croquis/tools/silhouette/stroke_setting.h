@@ -39,6 +39,18 @@ bool has_far_copy(const Drawing& drawing, const std::string& id);
 /// Says which strand of a tube is over at its crossings. @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::string& words);
 
+/// Says which colour the part that a stroke bounds has. Where the drawing names the part, its group says so.
+/// @param color "#rrggbb", or empty for none; @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_fill(const Drawing& drawing, const std::string& id, const std::string& color);
+
+/// Says on both sides of which vertical line a stroke is to be the same; the tool then makes it so.
+/// @param axis x of the line, sketch units, or empty: it and its twin are strokes of their own again
+/// @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_mirror(const Drawing& drawing, const std::string& id, const std::string& axis);
+
+/// What was set; empty where nothing was, and for an unknown stroke.
+std::string fill_of(const Drawing& drawing, const std::string& id);
+
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string title_of(const Drawing& drawing, const std::string& id);
 

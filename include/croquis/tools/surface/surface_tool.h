@@ -78,6 +78,7 @@ struct SurfacePreview {
   std::optional<SurfaceHit> hit;       ///< the patch under the pointer, where nothing else is
   std::optional<LoopAround> loop;      ///< Patch: that a click would fill
   std::optional<double> radius;        ///< Point, Select: of the point whose ring is dragged
+  std::optional<Vec3> moved;           ///< Select: how far what is dragged has come
 };
 
 struct SurfaceGesture;

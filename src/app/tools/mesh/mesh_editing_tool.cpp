@@ -24,13 +24,6 @@ const std::map<QString, MeshHandles> mesh_modes{{select_mode, MeshHandles::Selec
                                                 {"scale", MeshHandles::Scale},
                                                 {"sharpen", MeshHandles::Sharpen}};
 
-/// @param origin of its view, in the pixels of the views, which are the bounds
-void put_value(ChipSet& chips, const QPointF& origin, const PointerValue& value, const QRectF& bounds) {
-  constexpr QPointF from_pointer(14, -24);
-  const QPointF at = origin + QPointF(value.pixel.x(), value.pixel.y());
-  chips.put_value("edge-value", value.text, "#609ce6", at + from_pointer, bounds);
-}
-
 /// The colours of tagged edges with what they mean.
 Legend* make_sharpness_legend(QWidget* views) {
   std::vector<Legend::Row> rows;
@@ -48,16 +41,11 @@ Legend* make_sharpness_legend(QWidget* views) {
 }
 
 /// What a drag of a handle has done, as it stands at the pointer.
-QString motion_text(const ManipulatorMotion& motion, MeshHandles handles) {
-  const auto all = [](const Vec3& vector) {
-    return MeshEditingTool::tr("x %1  y %2  z %3")
-        .arg(number_words(vector.x()), number_words(vector.y()), number_words(vector.z()));
-  };
+QString motion_text(const ManipulatorMotion& motion, MeshHandles handles, const Studio& studio) {
   if (handles == MeshHandles::Rotate) return number_words(motion.degrees) + QStringLiteral("°");
-  if (handles == MeshHandles::Move) return number_words(motion.by.norm()) + "   " + all(motion.by);
+  if (handles == MeshHandles::Move) return way_text(motion.by, studio);
   const bool is_even = motion.factors.isApprox(Vec3::Constant(motion.factors.x()));
-  return is_even ? QStringLiteral("× ") + number_words(motion.factors.x())
-                 : QStringLiteral("×   ") + all(motion.factors);
+  return QStringLiteral("× ") + (is_even ? number_words(motion.factors.x()) : axes_text(motion.factors));
 }
 
 QString sharpness_text(double sharpness) {
@@ -88,7 +76,8 @@ QString help_of(const MeshTool& tool, const ObjectMover& mover, ToolHost& host) 
   const auto tr = [](const char* text) { return MeshEditingTool::tr(text); };
   const Studio& studio = host.studio();
   if (const auto* motion = motion_of(tool, mover))
-    return tr("%1 · Ctrl at the beginning snaps · Escape gives it up").arg(motion_text(*motion, tool.handles()));
+    return tr("%1 · Ctrl at the beginning snaps · Escape gives it up")
+        .arg(motion_text(*motion, tool.handles(), studio));
   if (const auto& change = tool.preview().sharpness_change)
     return tr("Sharpness %1%2: drag sideways").arg(*change < 0 ? "" : "+").arg(*change, 0, 'f', 2);
   if (tool.loop_cut_armed()) return tr("Click an edge: the loop is cut there · Escape gives it up");
@@ -105,8 +94,7 @@ MeshEditingTool::MeshEditingTool(ToolHost& host)
     : Tool(host, "Meshes"),
       tool_(host.studio().session(), &host.studio()),
       objects_(host.studio()),
-      legend_(make_sharpness_legend(&host.viewport())),
-      chips_(host.viewport()) {
+      legend_(make_sharpness_legend(&host.viewport())) {
   drags_leave_views_ = true;
 }
 
@@ -176,8 +164,12 @@ ViewUse MeshEditingTool::use_of(int) const {
 }
 
 ToolState MeshEditingTool::state() const {
+  const auto* motion = motion_of(tool_, objects_.mover());
   return {.has_selection = !studio().session().components().empty(),
-          .picks_elements = use_of(PerspectiveView).works && !picks_objects()};
+          .picks_elements = use_of(PerspectiveView).works && !picks_objects(),
+          .beside_pointer = motion             ? motion_text(*motion, tool_.handles(), studio())
+                            : shows_sharpness_ ? sharpness_text(*tool_.preview().hovered_sharpness)
+                                               : QString()};
 }
 
 ToolWords MeshEditingTool::words() const { return {help_of(tool_, objects_.mover(), host())}; }
@@ -219,9 +211,6 @@ void MeshEditingTool::handle(const MeshEvent& event, int view) {
   if (objects_.active() || (is_free && event.kind == PenStep::Kind::Begin)) {
     if (const auto done = objects_.handle(event, view)) emit committed(*done);
   }
-  value_.reset();
-  if (const auto* motion = motion_of(tool_, objects_.mover()))
-    value_ = {view, event.pixel, motion_text(*motion, tool_.handles())};
   show_hover();
 }
 
@@ -232,10 +221,8 @@ void MeshEditingTool::hover(const PointerEvent& event) {
   ObjectMover& mover = objects_.mover();
   const bool on_handle = leaves ? mover.leave() : picks_objects() && mover.hover(event.position, frame);
   const bool moved = leaves ? tool_.leave() : tool_.hover(event.position, frame);
-  value_.reset();
-  if (const auto& sharpness = tool_.preview().hovered_sharpness; sharpness && !leaves)
-    value_ = {event.view, event.position, sharpness_text(*sharpness)};
-  if (moved || on_handle || value_) show_hover();
+  const bool had_sharpness = std::exchange(shows_sharpness_, !leaves && tool_.preview().hovered_sharpness);
+  if (moved || on_handle || had_sharpness || shows_sharpness_) show_hover();
 }
 
 void MeshEditingTool::show_hover() {
@@ -315,11 +302,6 @@ std::optional<SelectionFrame> MeshEditingTool::selection_frame(int) const {
   return SelectionFrame{render::placed(bounds, matrix_of(studio().active()->placement.map())), std::nullopt, false};
 }
 
-void MeshEditingTool::place_chips(ChipPlaces& places) {
-  places.put_legend(*legend_, overlay_.shows_tags());
-  chips_.begin(places);
-  if (value_) put_value(chips_, places.layout().pane(value_->view).rect.topLeft(), *value_, host().viewport().rect());
-  chips_.end();
-}
+void MeshEditingTool::place_chips(ChipPlaces& places) { places.put_legend(*legend_, overlay_.shows_tags()); }
 
 }  // namespace croquis::app

@@ -13,13 +13,6 @@
 
 namespace croquis::app {
 
-/// What stands beside the pointer: the sharpness of the edge there, or what a drag has done.
-struct PointerValue {
-  int view = 0;
-  Vec2 pixel = Vec2::Zero();  ///< of the view
-  QString text;
-};
-
 /// Meshes: objects and their vertices, edges and faces are selected, moved, tagged and cut, by pen and mouse in any
 /// view and by menus.
 class MeshEditingTool final : public Tool {
@@ -79,8 +72,7 @@ class MeshEditingTool final : public Tool {
   bool cage_hidden_ = false;  ///< the smooth surface alone is wanted, also while elements are picked
   int gesture_view_ = 0;
   Legend* legend_;
-  std::optional<PointerValue> value_;
-  ChipSet chips_;
+  bool shows_sharpness_ = false;  ///< of the edge under the pointer
   MeshActions actions_;
   std::function<void(bool useful)> show_panels_;
 };

@@ -129,8 +129,9 @@ ToolWords PerspectiveDrawingTool::words() const {
 }
 
 ToolState PerspectiveDrawingTool::state() const {
-  if (!inking()) return {};
-  return {.ink = Ink{SketchView, &sheet_.tool.preview().ink}};
+  const PerspectivePreview& preview = sheet_.tool.preview();
+  if (inking()) return {.ink = Ink{SketchView, &preview.ink}};
+  return {.beside_pointer = preview.moved ? axes_text(*preview.moved) + QStringLiteral(" px") : QString()};
 }
 
 // ---- The pointer

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QColorDialog>
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,11 @@
 #include "app/replay/replays.h"
 #include "app/tools/action_rows.h"
 #include "app/tools/scene_parts.h"
+#include "app/tools/silhouette/sketch_actions.h"
 #include "app/views/own_space.h"
 #include "app/views/render_color.h"
 #include "app/window/theme.h"
+#include "croquis/base/text.h"
 #include "croquis/operators/inflate_result.h"
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/recording/general_steps.h"
@@ -109,22 +112,6 @@ void add_counts(Replays& replays, const Studio& studio) {
   add("resting-pairs", [](const InflateResult& inflated) { return held_pairs(inflated, silhouette::Hold::Resting); });
 }
 
-/// Empty, with the solid that will be made of it; the pen draws in it at once.
-void add_sketch(ToolHost& host, const DrawingPlane& plane) {
-  Studio& studio = host.studio();
-  Drawing drawing;
-  drawing.plane = plane;
-  const Document& before = studio.session().document();
-  SketchToolOptions options = studio.tool_options();
-  options.name = free_name(before, options.name);
-  const NodeId node = before.next_id();
-  studio.session().edit("Add sketch",
-                        add_drawing(before, std::make_shared<const Drawing>(std::move(drawing)), options));
-  studio.session().select({{node, ""}});
-  host.set_mode(first_mode);
-  host.refresh();
-}
-
 /// On solids as they were drawn, by object: what is refined or cut after that has another surface.
 std::map<NodeId, render::LineItemPtr> lines_on_solids(const Studio& studio) {
   const render::LineStyle style{ink_width, to_color(colors::ink), {}, render::LineDepth::Tested};
@@ -185,55 +172,6 @@ QString body_of(const Studio& studio, const NodeFinding& found) {
   return body == nullptr ? QString() : body->name;
 }
 
-/// Makes second ones of the selected parts, or else of the last one drawn, on the far side; takes away those that are.
-void copy_to_far_side(const Studio& studio, const SketchTool& tool, SketchChips& chips) {
-  const Drawing drawing = studio.drawing();
-  const std::vector<Body> bodies = bodies_of(drawing, studio.result().get());
-  std::vector<std::string> ids = tool.selected();
-  if (ids.empty() && !drawing.strokes.empty()) ids.push_back(drawing.strokes.back().id);
-  for (const std::string& id : ids) {
-    const Body* body = body_with(bodies, {id});
-    const std::vector<std::string> strokes = body == nullptr ? std::vector{id} : body->strokes;
-    const auto copied = std::ranges::find_if(strokes, [&](const auto& each) { return has_far_copy(drawing, each); });
-    const bool is_copied = copied != strokes.end();
-    chips.set({.stroke = is_copied ? *copied : id, .far_copy = !is_copied});
-  }
-}
-
-/// @param tube_share that a choice is written to, of the view's diagonal
-void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chips, double& tube_share,
-                        ActionList& actions) {
-  const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
-  QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
-  const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
-                             const DrawingPlane& plane) {
-    actions.add(added, name, text, keys, [&host, plane] { add_sketch(host, plane); });
-  };
-  add_plane("add-sketch", tr("Seen from the front"), {QKeySequence("Ctrl+Shift+N")}, {});
-  add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
-  add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
-  add_mode(host, actions, MenuId::Sketch, "draw", tr("Draw"), "D");
-  add_mode(host, actions, MenuId::Sketch, "tube", tr("Draw tubes"), "Ctrl+Shift+D");
-  add_mode(host, actions, MenuId::Sketch, "erase", tr("Erase"), "X");
-  add_mode(host, actions, MenuId::Select, select_mode, tr("Select and reshape"), "Q");
-  QMenu* sketch = actions.menu(MenuId::Sketch);
-  actions.add(sketch, "join-limbs", tr("Join limbs"), {QKeySequence("J")}, [&chips] { chips.join_all(); });
-  actions.add(
-      sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")},
-      [&] { copy_to_far_side(host.studio(), tool, chips); }, Recorded::ByItself);
-  QMenu* radii = sketch->addMenu(tr("Tube radius"));
-  auto* choice = new QActionGroup(radii);
-  for (const int percent : {1, 2, 3, 5, 8}) {
-    const double share = percent / 100.0;
-    QAction* action = actions.add(radii, QString("tube-radius-%1").arg(percent), tr("%1 % of the view").arg(percent),
-                                  {}, [&tube_share, share] { tube_share = share; });
-    action->setCheckable(true);
-    action->setChecked(share == tube_share);
-    choice->addAction(action);
-  }
-  sketch->addSeparator();
-}
-
 QString help_of(SketchMode mode, bool has_strokes, bool tubes) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   if (tubes)
@@ -261,12 +199,15 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
 
 void SilhouetteTool::make_actions(ActionList& actions) {
   add_sketch_actions(host(), tool_, chips_, tube_share_, actions);
+  connect(host().action("symmetric-drawing"), &QAction::triggered, this, [this] { follow(Change::Document); });
 }
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
-  host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
+  host().action("mirror-strokes")->setEnabled(has_view(SketchView) && !tool_.selected().empty());
+  for (const char* name : {"far-copy", "part-colour"})
+    host().action(name)->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
 
@@ -356,8 +297,9 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
 }
 
 ToolState SilhouetteTool::state() const {
-  if (!inking()) return {};
-  return {.ink = Ink{SketchView, &tool_.preview().ink, tool_.preview().behind}};
+  const SketchPreview& preview = tool_.preview();
+  if (inking()) return {.ink = Ink{SketchView, &preview.ink, preview.behind}};
+  return {.beside_pointer = preview.moved ? way_text(*preview.moved, studio()) : QString()};
 }
 
 std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
@@ -443,6 +385,7 @@ void SilhouetteTool::make_replays(Replays& replays) {
   replays.on<recorded::StrokeDrawn>([this](const recorded::StrokeDrawn& stroke) {
     if (!host().shows_views()) host().start_with();
     tool_.set_tube(stroke.tube);
+    tool_.set_mirror(stroke.mirror);
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });

@@ -182,6 +182,12 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   selected_ = lines_of(selected, {ink_width, to_color(colors::accent), {}});
   anchors_ = marks_of(anchors);
   others_ = lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}});
+  axis_.reset();
+  if (const auto& axis = tool.mirror()) {
+    const double far = 1e4 * drawn_scale(drawing, {});  // ten times the size of what is drawn
+    const std::vector<Vec2> ends{{*axis, -far}, {*axis, far}};
+    axis_ = lines_of({path_of(ends, on_plane)}, {1.5, to_color(colors::guide, 200), {10, 5, 2, 5}});
+  }
   const bool empty = drawing.strokes.empty() && studio.objects().empty();
   if (!empty)
     ghost_.reset();
@@ -236,7 +242,8 @@ void SketchScene::show_hovered(const std::optional<std::string>& stroke, const D
 }
 
 void SketchScene::add_to(render::Scene& scene) const {
-  add_items(scene, {ghost_, others_, hidden_, hovered_, strokes_, selected_, preview_lines_}, {anchors_, marks_});
+  add_items(scene, {axis_, ghost_, others_, hidden_, hovered_, strokes_, selected_, preview_lines_},
+            {anchors_, marks_});
 }
 
 render::Bounds SketchScene::bounds(bool selected_only) const {

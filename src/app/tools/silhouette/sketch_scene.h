@@ -58,6 +58,7 @@ class SketchScene {
   render::LineItemPtr hidden_;
   render::MarkItemPtr marks_;
   render::LineItemPtr preview_lines_;
+  render::LineItemPtr axis_;  ///< of a symmetric drawing
   CoveredStrokes covered_;
   std::vector<FindingMark> finding_marks_;
 };

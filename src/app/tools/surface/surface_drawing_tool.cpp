@@ -289,8 +289,10 @@ ToolWords SurfaceDrawingTool::words() const {
 }
 
 ToolState SurfaceDrawingTool::state() const {
+  const auto& moved = network_.tool.preview().moved;
   return {.has_selection = network_.is_there() && !network_.tool.selected().empty(),
-          .busy = ghost_.busy() || taking_.busy()};
+          .busy = ghost_.busy() || taking_.busy(),
+          .beside_pointer = moved ? way_text(*moved, studio()) : QString()};
 }
 
 // ---- The pointer

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/tools/silhouette/sketch_chips.h"
+#include "app/tools/tool.h"
+#include "croquis/tools/silhouette/sketch_tool.h"
+
+namespace croquis::app {
+
+/// What menus and keys do with a sketch.
+/// @param tube_share that a choice is written to, of the view's diagonal
+void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, double& tube_share, ActionList& actions);
+
+}  // namespace croquis::app
