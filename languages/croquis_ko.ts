@@ -1728,6 +1728,34 @@
         <translation>획 %1개</translation>
     </message>
     <message>
+        <source>Draw the middle line of a tube, it may cross itself: pressure makes it thicker · D draws outlines</source>
+        <translation>튜브의 중심선을 그립니다. 자신과 교차해도 됩니다 · 필압을 주면 굵어집니다 · D는 윤곽선을 그립니다</translation>
+    </message>
+    <message>
+        <source>Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws</source>
+        <translation>사각형을 드래그하면 선의 모양이 바뀌고, 선을 드래그하면 이동합니다 · Shift: 추가 선택 · Delete: 제거 · D: 그리기</translation>
+    </message>
+    <message>
+        <source>Drag over lines to cut pieces out of them · D draws</source>
+        <translation>선 위를 드래그하여 일부를 잘라 내세요 · D: 그리기</translation>
+    </message>
+    <message>
+        <source>Draw a closed outline with the pen or the mouse</source>
+        <translation>펜이나 마우스로 닫힌 윤곽선을 그리세요</translation>
+    </message>
+    <message>
+        <source>Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes</source>
+        <translation>그리기: 다른 선 뒤로 지나가는 곳에서 선을 멈추세요 · 오른쪽 버튼: 뒤쪽에 그리기 · Q: 선택 · Ctrl+Z: 실행 취소</translation>
+    </message>
+    <message>
+        <source>Trace me: one closed line becomes a solid</source>
+        <translation>따라 그려 보세요: 닫힌 선 하나가 솔리드가 됩니다</translation>
+    </message>
+    <message>
+        <source>Colour of part</source>
+        <translation>부위 색</translation>
+    </message>
+    <message>
         <source>Seen from the front</source>
         <translation>정면에서 본 모습</translation>
     </message>
@@ -1764,36 +1792,24 @@
         <translation>반대쪽에 하나 더</translation>
     </message>
     <message>
+        <source>Colour of part…</source>
+        <translation>부위 색…</translation>
+    </message>
+    <message>
+        <source>Symmetric drawing</source>
+        <translation>대칭 드로잉</translation>
+    </message>
+    <message>
+        <source>Mirror selected lines</source>
+        <translation>선택한 선 대칭으로</translation>
+    </message>
+    <message>
         <source>Tube radius</source>
         <translation>튜브 반지름</translation>
     </message>
     <message>
         <source>%1 % of the view</source>
         <translation>뷰의 %1 %</translation>
-    </message>
-    <message>
-        <source>Draw the middle line of a tube, it may cross itself: pressure makes it thicker · D draws outlines</source>
-        <translation>튜브의 중심선을 그립니다. 자신과 교차해도 됩니다 · 필압을 주면 굵어집니다 · D는 윤곽선을 그립니다</translation>
-    </message>
-    <message>
-        <source>Drag a square to reshape the line, drag a line to move it, Shift adds · Delete removes · D draws</source>
-        <translation>사각형을 드래그하면 선의 모양이 바뀌고, 선을 드래그하면 이동합니다 · Shift: 추가 선택 · Delete: 제거 · D: 그리기</translation>
-    </message>
-    <message>
-        <source>Drag over lines to cut pieces out of them · D draws</source>
-        <translation>선 위를 드래그하여 일부를 잘라 내세요 · D: 그리기</translation>
-    </message>
-    <message>
-        <source>Draw a closed outline with the pen or the mouse</source>
-        <translation>펜이나 마우스로 닫힌 윤곽선을 그리세요</translation>
-    </message>
-    <message>
-        <source>Draw: a line stops where it passes behind another · the right button draws behind · Q selects · Ctrl+Z undoes</source>
-        <translation>그리기: 다른 선 뒤로 지나가는 곳에서 선을 멈추세요 · 오른쪽 버튼: 뒤쪽에 그리기 · Q: 선택 · Ctrl+Z: 실행 취소</translation>
-    </message>
-    <message>
-        <source>Trace me: one closed line becomes a solid</source>
-        <translation>따라 그려 보세요: 닫힌 선 하나가 솔리드가 됩니다</translation>
     </message>
     <message>
         <source>Thickness of %1. Drag up or down; click to type it</source>
@@ -2438,6 +2454,18 @@
     <message>
         <source>Side</source>
         <translation>측면</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the view</source>
+        <translation>드래그하면 뷰가 회전합니다</translation>
+    </message>
+    <message>
+        <source>Drag to pan the view</source>
+        <translation>드래그하면 뷰가 이동합니다</translation>
+    </message>
+    <message>
+        <source>Drag up or down to zoom</source>
+        <translation>위아래로 드래그하면 확대/축소합니다</translation>
     </message>
     <message>
         <source>Views</source>
@@ -4540,6 +4568,18 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>%1의 반대쪽 복사 없애기</translation>
     </message>
     <message>
+        <source>Set colour of %1</source>
+        <translation>%1의 색 지정</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 대칭으로 만들기</translation>
+    </message>
+    <message>
+        <source>End the symmetry of %1</source>
+        <translation>%1의 대칭 끝내기</translation>
+    </message>
+    <message>
         <source>The copy of "%1" on the far side is left out, since it belongs to nothing: attach it to a part that isn't copied</source>
         <translation>"%1"의 반대쪽 복사는 붙어 있는 곳이 없어 만들지 않았습니다: 복사되지 않는 부위에 붙이세요</translation>
     </message>
@@ -4630,10 +4670,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Change %1</source>
         <translation>%1 변경</translation>
-    </message>
-    <message>
-        <source>Mirror %1</source>
-        <translation>%1 미러</translation>
     </message>
     <message>
         <source>Drag a vanishing point</source>

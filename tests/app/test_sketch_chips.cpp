@@ -373,6 +373,41 @@ TEST_CASE("a part gets a colour, which is seen, undone and exported", "[sketch-c
   CHECK(share_of_pixels(hand.picture(), view, orange) < 0.01);
 }
 
+TEST_CASE("half of an outline is enough for a symmetric drawing, and an ear comes twice", "[sketch-chips]") {
+  StudioFixture hand;
+  hand.look_at({-200, -200}, {200, 200});
+  hand.act("symmetric-drawing");
+  const double axis = *hand.sketch().tool().mirror();
+  std::vector<Vec2> half;
+  for (int k = 0; k <= 60; ++k) {
+    const double angle = 3.14159265358979 * (0.5 + k / 60.0);
+    half.emplace_back(axis + 3 + 100 * std::cos(angle), 100 * std::sin(angle));
+  }
+  hand.draw(half);
+  hand.draw(round_line({axis - 80, 90}, 35));
+  hand.settle();
+  const Drawing drawn = hand.studio().drawing();
+  REQUIRE(drawn.strokes.size() == 3);
+  CHECK(drawn.strokes[0].closed);
+  double left = 0, right = 0;
+  for (const Vec3& place : hand.studio().active()->mesh->positions) {
+    left = std::max(left, axis - place.x());
+    right = std::max(right, place.x() - axis);
+  }
+  CHECK(left > 110);
+  CHECK(left == Approx(right).epsilon(1e-12));
+  // The line is seen, between the strokes, from above to below.
+  const QPointF top = app::sketch_to_widget(hand.viewport().views(), {axis, 150});
+  const auto grey = [](const QColor& color) { return color.lightness() > 60 && color.lightness() < 215; };
+  CHECK(share_of_pixels(hand.picture(), QRectF(top - QPointF(3, 20), QSizeF(6, 40)), grey) > 0.1);
+  hand.act("symmetric-drawing");
+  CHECK(share_of_pixels(hand.picture(), QRectF(top - QPointF(3, 20), QSizeF(6, 40)), grey) < 0.01);
+  hand.draw(round_line({axis - 40, -40}, 15));
+  CHECK(hand.studio().drawing().strokes.size() == 4);
+  for (int k = 0; k < 3; ++k) hand.act("undo");
+  CHECK(hand.studio().drawing().strokes.empty());
+}
+
 TEST_CASE("a part reaches as far as its own faces do", "[sketch-chips]") {
   PolyMesh mesh;
   mesh.positions = {{0, 0, -2}, {1, 0, 0}, {0, 1, 4}, {0, 0, 9}};

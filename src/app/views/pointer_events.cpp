@@ -185,13 +185,7 @@ bool navigate(Views& views, PointerEvent event) {
   if (tool_in(views, event.view) == nullptr) event.modifiers.super = true;
   const Navigation::Answer answer = views.navigation.handle(event);
   for (const auto& motion : {answer.motion, answer.second}) {
-    if (!motion) continue;
-    // Compared views have one camera.
-    const int view = motion->view == ComparisonView ? PerspectiveView : motion->view;
-    move_camera(views, view, *motion);
-    views.turned = views.turned || view == PerspectiveView;
-    emit views.camera_moved(view);
-    if (view == PerspectiveView) emit views.camera_moved(ComparisonView);
+    if (motion) move_view(views, *motion);
   }
   return answer.taken;
 }
@@ -263,6 +257,14 @@ bool take_from_device(PointerInput& input, QEvent& event) {
   take_pointer(input, pointer_event(sent), sent.position(), sent.timestamp());
   event.accept();  // else Qt makes a mouse event of a pen's
   return true;
+}
+
+/// Buttons lie over the views: what a pen does on them comes here first.
+bool is_for_button(PointerInput& input, const QTabletEvent& event) {
+  const bool is_over_one = input.grabbed < 0 && input.views.widget.childAt(event.position().toPoint()) != nullptr;
+  if (event.type() == QEvent::TabletRelease) return std::exchange(input.pen_on_button, false);
+  if (event.type() == QEvent::TabletPress) return input.pen_on_button = is_over_one;
+  return event.buttons() == Qt::NoButton ? is_over_one : input.pen_on_button;
 }
 
 }  // namespace
@@ -348,7 +350,10 @@ bool take(PointerInput& input, QEvent& event) {
     case QEvent::MouseButtonRelease: return take_from_device<QMouseEvent>(input, event);
     case QEvent::TabletPress:
     case QEvent::TabletMove:
-    case QEvent::TabletRelease: return take_from_device<QTabletEvent>(input, event);
+    case QEvent::TabletRelease:
+      if (!is_for_button(input, static_cast<QTabletEvent&>(event))) return take_from_device<QTabletEvent>(input, event);
+      event.ignore();  // Qt makes a mouse event of it, which the button understands
+      return true;
     case QEvent::Wheel: return take_from_device<QWheelEvent>(input, event);
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate:

@@ -64,6 +64,7 @@ struct PointerInput {
   int grabbed = -1;           ///< the view that the gesture under way began in, or -1
   PaneLayout::Border border;  ///< being dragged
   bool shows_tooltip = false;
+  bool pen_on_button = false;  ///< the pen has pressed one of the buttons over the views
   QElapsedTimer clock;
   EventClock event_clock;
   std::optional<LateMove> late_move;  ///< a newer one may make it needless

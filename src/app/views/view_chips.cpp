@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/panels/object_names.h"
+#include "app/views/view_handles.h"
 #include "app/views/views.h"
 #include "app/window/theme.h"
 
@@ -181,10 +182,15 @@ QLabel* make_chip_label(QWidget& views, const char* style) {
   return made;
 }
 
-ViewChips::ViewChips(const Views& views)
-    : chips_(views.widget), message_(chips_.label({}, hint_style)), counts_(chips_.label("counts", name_style)) {
+ViewChips::ViewChips(Views& views)
+    : chips_(views.widget),
+      handles_(std::make_unique<ViewHandles>(views)),
+      message_(chips_.label({}, hint_style)),
+      counts_(chips_.label("counts", name_style)) {
   for (QLabel*& name : names_) name = chips_.label({}, name_style);
 }
+
+ViewChips::~ViewChips() = default;
 
 void ViewChips::say(const QString& sentence) {
   message_->setText(sentence);
@@ -217,6 +223,7 @@ void ViewChips::place(const Views& views) {
     chips_.put_value("pointer-value", text, "#609ce6", view + at + from_pointer, all);
   }
   chips_.end();
+  handles_->place(places);
   for (Tool* tool : views.tools) tool->place_chips(places);
 }
 

@@ -8,6 +8,7 @@
 #include <QWidget>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,7 @@ class QToolButton;
 
 namespace croquis::app {
 
+class ViewHandles;
 class Views;
 
 /// Places for labels and buttons over a view: none covers another. The first ones get the places they want.
@@ -102,7 +104,8 @@ class ChipSet {
 /// The labels that every view has: its name, and in one of them how large the objects are.
 class ViewChips {
  public:
-  explicit ViewChips(const Views& views);
+  explicit ViewChips(Views& views);
+  ~ViewChips();
 
   /// In the middle, for as long as the program runs: for whatever can't be drawn.
   void say(const QString& sentence);
@@ -112,6 +115,7 @@ class ViewChips {
 
  private:
   ChipSet chips_;
+  std::unique_ptr<ViewHandles> handles_;
   QLabel* message_;
   std::array<QLabel*, view_count> names_{};
   QLabel* counts_;

@@ -253,6 +253,15 @@ void move_camera(Views& views, int view, const CameraMotion& motion) {
   views.layout.pane(view).move(motion);
 }
 
+void move_view(Views& views, const CameraMotion& motion) {
+  // Compared views have one camera.
+  const int view = motion.view == ComparisonView ? PerspectiveView : motion.view;
+  move_camera(views, view, motion);
+  views.turned = views.turned || view == PerspectiveView;
+  emit views.camera_moved(view);
+  if (view == PerspectiveView) emit views.camera_moved(ComparisonView);
+}
+
 void look_through(Views& views, NodeId first) {
   if (first == views.through) return;
   views.through = first;

@@ -95,6 +95,8 @@ QPointF model_to_widget(const Views& views, const Vec3& place, int view);
 
 /// As people do: a tool that holds the view's camera lets go of it.
 void move_camera(Views& views, int view, const CameraMotion& motion);
+/// The same by hand: the view isn't framed by itself any more.
+void move_view(Views& views, const CameraMotion& motion);
 
 /// Holds the perspective view at the camera of the object that begins with that node, until somebody rotates, pans or
 /// zooms it; 0: frees it, and it stays where it is.
