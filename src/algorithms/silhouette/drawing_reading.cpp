@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algorithms/silhouette/figure/labelling.h"
+#include "algorithms/silhouette/reading/reading_costs.h"
 #include "algorithms/silhouette/reading/reading_program.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/stage.h"
@@ -91,6 +92,7 @@ struct Material {
   SampledDrawing sampled;
   Connections connections;
   Envelope envelope;
+  std::vector<PinnedEnds> pins = {};
 };
 
 /// The size that half of the length doesn't exceed.
@@ -235,6 +237,36 @@ void mark_limbs(const Drawing& drawing, LabelledDrawing& labelled) {
   }
 }
 
+/// What was joined in full view, and what all of the reading costs.
+void add_connections_and_cost(const Material& material, const Reading& reading, LabelledDrawing& labelled) {
+  const auto stroke_end_of = [&](Index end) {
+    return StrokeEnd{material.sampled.strokes[material.connections.ends[end].stroke].stroke,
+                     material.connections.ends[end].at_start};
+  };
+  for (const Index join : reading.joins) {
+    EndPair& pair = labelled.joined.emplace_back();
+    pair = {stroke_end_of(material.connections.joins[join].a), stroke_end_of(material.connections.joins[join].b)};
+    std::ranges::sort(pair);
+  }
+  labelled.cost = reading.cost;
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const FigureCompletion& completion : figure.completions) labelled.cost += costs::hidden * completion.cost;
+  }
+}
+
+/// The pins that a reading doesn't have.
+std::vector<PinnedEnds> pins_lost(const Material& material, const LabelledDrawing& labelled) {
+  std::vector<PinnedEnds> lost;
+  for (const PinnedEnds& pin : material.pins) {
+    const bool found = std::ranges::count(labelled.joined, pin.ends) > 0 ||
+                       std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
+                         return std::ranges::count(figure.completions, pin.ends, &FigureCompletion::ends) > 0;
+                       });
+    if (found != pin.joined) lost.push_back(pin);
+  }
+  return lost;
+}
+
 LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
   const Drawing& drawing = material.drawing;
   DrawingScale scale = material.sampled.scale;
@@ -262,11 +294,12 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   order.passings = std::move(passings.all);
   bring_into_general_position(lines, scale.step);
 
-  const FigureContext context{drawing, material.options, scale, lines, junctions, order};
+  const FigureContext context{drawing, material.options, scale, lines, junctions, order, material.pins};
   LabelledDrawing result = label_parts(context, progress.silent());
   result.crossings = std::move(order.pairs);
   for (const TubePassing& passing : order.passings) result.tube_crossings.push_back(passing.crossing);
   result.kinds = kinds_of(material, reading);
+  add_connections_and_cost(material, reading, result);
   add_dots(material, result);
   mark_limbs(drawing, result);
   add_nested(drawing, result);
@@ -275,6 +308,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   append(std::move(result.findings), findings);
   append(covered_lines(drawing, result), findings);
+  const std::vector<PinnedEnds> lost = pins_lost(material, result);
+  if (!lost.empty()) findings.push_back(pins_not_kept(drawing, lost));
   for (const LabelledFigure& figure : result.figures) append(nested_findings(drawing, figure), findings);
   result.findings = std::move(findings);
   return result;
@@ -378,9 +413,26 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
                                           {stroke_subject(material.drawing, stroke)}));
   }
   if (has_errors(nothing.findings)) return nothing;
+  if (!material.pins.empty()) {
+    nothing.findings.push_back(pins_not_kept(material.drawing, material.pins));
+    return nothing;
+  }
   nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
                                         "The drawing's lines enclose nothing: draw the outline of something"));
   return nothing;
+}
+
+/// Ends that are pinned but aren't found stay so: the reading is compared with the pins at its end.
+void apply_pins(const Material& material, ReadingProgram& program) {
+  for (const auto& [pair, joined] : material.pins) {
+    std::vector<Index> found;
+    for (Index e = 0; e < material.connections.ends.size(); ++e) {
+      const LineEnd& end = material.connections.ends[e];
+      const StrokeEnd own{material.sampled.strokes[end.stroke].stroke, end.at_start};
+      if (std::ranges::count(pair, own) > 0) found.push_back(e);
+    }
+    if (found.size() == pair.size()) program.pin(found.front(), found.back(), joined);
+  }
 }
 
 /// Finds the best reading of a drawing that can be labelled: what its strokes are, which of their ends meet, what they
@@ -391,7 +443,7 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
 /// always be labelled. Bounds are counts.
 /// @throws Error when nothing can be labelled
 LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
-  Material material{drawing, options, {}, {}, {}};
+  Material material{drawing, options, {}, {}, {}, pinned_ends(drawing)};
   sample(material);
   if (material.sampled.strokes.empty()) {  // only tubes
     LabelledDrawing labelled = label_reading(material, {}, progress);
@@ -401,6 +453,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
+  apply_pins(material, program);
   std::optional<LabelledDrawing> first, with_losses;
   std::map<std::vector<Index>, int> failed;
   for (int tried = 0; tried < most_readings + 2; ++tried) {
@@ -430,6 +483,8 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
                            : first     ? *std::move(first)
                                        : nothing_read(material, program);
   if (result.figures.empty()) throw Error(result.findings);
+  const std::vector<PinnedEnds> lost = pins_lost(material, result);
+  if (!lost.empty()) throw Error(pins_not_kept(drawing, lost));
   return result;
 }
 

@@ -336,6 +336,13 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
                              recorded::Drag{stroke, anchor, by}});
 }
 
+Verdict SketchTool::read_as(const recorded::ReadingChosen& reading) {
+  give_up();
+  const auto before = drawing();
+  if (!before) refuse_stroke(reading.says.empty() ? "" : reading.says.front().front());
+  return commit(SketchChange{set_data(*before, reading.says), "Choose a reading", reading});
+}
+
 Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   const bool goes_on = gesture_ && gesture_->kind == SketchGesture::Kind::Setting;
   if (!goes_on) give_up();

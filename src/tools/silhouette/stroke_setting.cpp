@@ -121,6 +121,15 @@ DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::s
   return edit;
 }
 
+DrawingEdit set_data(const Drawing& drawing, const std::vector<std::array<std::string, 3>>& says) {
+  DrawingEdit edit{drawing, {}, {}, {}};
+  for (const auto& [id, key, value] : says) {
+    set_entry(stroke_of(edit.drawing, id).data, key, value);
+    if (std::ranges::count(edit.changed, id) == 0) edit.changed.push_back(id);
+  }
+  return edit;
+}
+
 std::string title_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::title_key);
 }

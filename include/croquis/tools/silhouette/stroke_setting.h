@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
@@ -38,6 +40,11 @@ bool has_far_copy(const Drawing& drawing, const std::string& id);
 
 /// Says which strand of a tube is over at its crossings. @throws Error (E_INPUT) when there is no such stroke
 DrawingEdit set_over(const Drawing& drawing, const std::string& id, const std::string& words);
+
+/// Sets data of several strokes.
+/// @param says a stroke's id, a key and the value there; an empty value takes it away
+/// @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_data(const Drawing& drawing, const std::vector<std::array<std::string, 3>>& says);
 
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string title_of(const Drawing& drawing, const std::string& id);

@@ -252,20 +252,33 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
     : Tool(host, "Drawing"),
       tool_(host.studio().session(), host.studio().tool_options()),
       chips_(host.studio(), tool_, host.viewport()),
+      readings_(new ReadingStrip(host)),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
+  connect(readings_, &ReadingStrip::size_changed, this, [this] { emit changed(SketchView); });
+  connect(readings_, &ReadingStrip::chosen, this, [this](const recorded::ReadingChosen& reading) {
+    if (tool_.read_as(reading) == Verdict::Commit) emit committed(*tool_.done());
+  });
 }
 
 void SilhouetteTool::make_actions(ActionList& actions) {
   add_sketch_actions(host(), tool_, chips_, tube_share_, actions);
+  actions.add(
+      actions.menu(MenuId::Sketch), "readings", tr("Other readings"), {}, [this] { readings_->open(); },
+      Recorded::ByItself);
 }
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
+  const bool has_solid = has_view(SketchView) && studio().solid_node() != 0 && !studio().drawing().strokes.empty();
+  host().action("readings")->setEnabled(has_solid);
+  // Elsewhere Tab goes to the next field as it does everywhere.
+  keys.pressed.erase(Qt::Key_Tab);
+  if (has_solid) keys.pressed[Qt::Key_Tab] = [this] { readings_->open(); };
   host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
@@ -356,7 +369,7 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
 }
 
 ToolState SilhouetteTool::state() const {
-  if (!inking()) return {};
+  if (!inking()) return {.busy = readings_->busy()};
   return {.ink = Ink{SketchView, &tool_.preview().ink, tool_.preview().behind}};
 }
 
@@ -373,11 +386,13 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
     hint_->hide();
   }
   chips_.place(places, has_view(SketchView) && !down());
+  readings_->place(pane, has_view(SketchView) && !down());
 }
 
 void SilhouetteTool::follow(Change change) {
   if (change != Change::Document && change != Change::Result) return;
   if (change == Change::Document) {
+    readings_->shut();
     if (!down()) tool_.set_node(studio().drawing_node());
     scene_.show_preview(tool_.preview());
   } else {
@@ -446,6 +461,7 @@ void SilhouetteTool::make_replays(Replays& replays) {
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });
+  replays.on<recorded::ReadingChosen>([this](const recorded::ReadingChosen& step) { tool_.read_as(step); });
   replays.on<recorded::Drag>([this](const recorded::Drag& drag) { tool_.drag(drag.stroke, drag.anchor, drag.by); });
   replays.on<recorded::Click>([this](const recorded::Click& click) {
     if (!click.place) replay_gesture({sample_at(click.at)}, false, modifiers_of(click.modifiers), 0);
