@@ -14,7 +14,7 @@
 namespace croquis::cli {
 namespace {
 
-constexpr const char* option = "alternatives";
+constexpr const char* alternatives_name = "alternatives";
 constexpr std::size_t most_readings = 99;
 
 /// The solid of a reading as its file holds it; none where it is no solid.
@@ -45,7 +45,7 @@ Report row_of(const std::string& file, double cost, const std::vector<std::strin
 bool has_readings(const OperationDescription& description) { return description.id == "inflate"; }
 
 ParameterDescription alternatives_option() {
-  return text_parameter(option, "",
+  return text_parameter(alternatives_name, "",
                         "Write so many readings of the drawing, 1 to 99, as OUT-1, OUT-2 and so on: the best one, then "
                         "others in which strokes have other kinds, hidden ends are joined in other ways, or other parts "
                         "lie in front.");
@@ -53,11 +53,11 @@ ParameterDescription alternatives_option() {
 
 std::optional<std::size_t> asked_readings(const OperationDescription& description, const Invocation& invocation) {
   if (!has_readings(description)) return std::nullopt;
-  const std::string& text = text_of(invocation.parameters, option);
+  const std::string& text = text_of(invocation.parameters, alternatives_name);
   if (text.empty()) return std::nullopt;
   std::size_t count = 0;
   if (!read_number(text, count) || count < 1 || count > most_readings) {
-    throw Error(refused_value(option, text, "a count of readings, 1 to " + std::to_string(most_readings)));
+    throw Error(refused_value(alternatives_name, text, "a count of readings, 1 to " + std::to_string(most_readings)));
   }
   if (invocation.output.empty() || invocation.output == "-") {
     throw Error(make_error(Category::Usage, "E_USAGE",
@@ -91,12 +91,12 @@ void stage_alternatives(const FirstReading& first, std::size_t count, const Invo
     rows.push(row_of(path, reading->cost, reading->differs));
     stage_mesh(path, *mesh, {}, output_mesh_format(path, invocation.output_format), result, looking);
   }
-  if (result.details) result.details->set(option, std::move(rows));
+  if (result.details) result.details->set(alternatives_name, std::move(rows));
   if (found < count) {
     Finding fewer = make_warning(Category::Geometry, "W_ALTERNATIVES",
                                  "The drawing has no more than " + counted(found, "reading", "readings") + " of " +
                                      std::to_string(count) + " that were asked for",
-                                 {{SubjectKind::Parameter, option, {}, {}, {}}});
+                                 {{SubjectKind::Parameter, alternatives_name, {}, {}, {}}});
     fewer.severity = Severity::Info;
     result.warnings.push_back(std::move(fewer));
   }
