@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/drawing_reading.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -441,8 +443,9 @@ void apply_pins(const Material& material, ReadingProgram& program) {
 /// Readings are tried from the cheapest on (reading_program.h); one whose contours can't be labelled is excluded with
 /// what its errors name. After some, only what the lines enclose is taken, with all lines in it as details: that can
 /// always be labelled. Bounds are counts.
+/// @param cheapest only the first one is tried
 /// @throws Error when nothing can be labelled
-LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
+LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress, bool cheapest = false) {
   Material material{drawing, options, {}, {}, {}, pinned_ends(drawing)};
   sample(material);
   if (material.sampled.strokes.empty()) {  // only tubes
@@ -461,16 +464,19 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (tried == most_readings) program.allow_regions_only();
     if (tried == most_readings + 1) program.forbid(LineKind::Tube);
     const std::optional<Reading> reading = program.best();
+    if (!reading && cheapest) throw Error(nothing_read(material, program).findings);
     if (!reading) continue;
     LabelledDrawing labelled = label_reading(material, *reading, progress);
     append(left_out(material, *reading), labelled.findings);
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) {
       const std::vector<Index> lost = lost_details(material, *reading, labelled);
       if (lost.empty()) return labelled;
+      if (cheapest) throw Error(pins_not_kept(drawing, material.pins));
       for (const Index s : lost) program.forbid_loss(s);
       if (!with_losses) with_losses = std::move(labelled);
       continue;
     }
+    if (cheapest) throw Error(labelled.findings);
     for (const auto& [strokes, crossing] : faults_of(material, labelled.findings)) {
       if (crossing && program.exclude_crossing(*reading, strokes.front(), strokes.back(), *crossing)) continue;
       // What fails again and again isn't saved by other connections.
@@ -515,6 +521,10 @@ Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const st
     stroke.data[over_key] = std::move(list);
   }
   return drawing;
+}
+
+LabelledDrawing label_cheapest(const Drawing& drawing, const Options& options, Progress& progress) {
+  return read_drawing(drawing, options, progress, true);
 }
 
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {

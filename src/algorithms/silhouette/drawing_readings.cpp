@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algorithms/silhouette/drawing_reading.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
 #include "croquis/silhouette/stroke_data.h"
@@ -285,7 +286,9 @@ class DrawingReadings::Search {
       open_.erase(cheapest);
       given_ = std::move(candidate);
       if (!settle(progress)) continue;
-      return DrawingReading{given_.drawing, given_.cost, differences(given_.drawing, first_, given_.decisions, labelled_)};
+      std::vector<std::string> differs = differences(given_.drawing, first_, given_.decisions, labelled_);
+      while (!said_.insert(differs).second) differs.emplace_back("parts lie over one another in another way");
+      return DrawingReading{given_.drawing, given_.cost, std::move(differs)};
     }
     return std::nullopt;
   }
@@ -306,11 +309,11 @@ class DrawingReadings::Search {
   }
 
   /// None when the drawing can't be read like that.
-  std::optional<LabelledDrawing> try_label(const Drawing& drawing, const Progress& progress) const {
+  std::optional<LabelledDrawing> try_label(const Drawing& drawing, bool cheapest, const Progress& progress) const {
     progress.check();
     try {
       Progress all = progress.silent();
-      LabelledDrawing labelled = label(drawing, options_, all);
+      LabelledDrawing labelled = cheapest ? label_cheapest(drawing, options_, all) : label(drawing, options_, all);
       if (error_count(labelled.findings) <= first_errors_) return labelled;
     } catch (const Error&) {  // then that is no reading
     }
@@ -325,7 +328,7 @@ class DrawingReadings::Search {
       progress.report(done++, changes.size());
       if (tried_ >= most_labelled) return;
       ++tried_;
-      const std::optional<LabelledDrawing> labelled = try_label(change.drawing, progress);
+      const std::optional<LabelledDrawing> labelled = try_label(change.drawing, true, progress);
       if (!labelled) continue;
       Decisions decisions = decisions_of(*labelled);
       if (std::ranges::count(known_, decisions) > 0) continue;
@@ -340,14 +343,14 @@ class DrawingReadings::Search {
   /// Labels what is to be given, with pins that stay.
   bool settle(const Progress& progress) {
     const Drawing said = with_joined_ends(given_.drawing, given_.parent, given_.decisions);
-    std::optional<LabelledDrawing> labelled = try_label(said, progress);
-    if (labelled && decisions_of(*labelled) == given_.decisions) {
-      given_.drawing = said;
-    } else {
-      labelled = try_label(given_.drawing, progress);
+    for (const Drawing& drawing : {said, given_.drawing}) {
+      std::optional<LabelledDrawing> labelled = try_label(drawing, false, progress);
+      if (!labelled || decisions_of(*labelled) != given_.decisions) continue;
+      labelled_ = *std::move(labelled);
+      given_.drawing = drawing;
+      return true;
     }
-    if (labelled) labelled_ = *std::move(labelled);
-    return labelled.has_value();
+    return false;
   }
 
   Options options_;
@@ -359,6 +362,7 @@ class DrawingReadings::Search {
   std::size_t tried_ = 0;
   std::vector<Decisions> known_;
   std::vector<Candidate> open_;
+  std::set<std::vector<std::string>> said_;  ///< what differs, of all given
 };
 
 DrawingReadings::DrawingReadings(Drawing drawing, Options options)
