@@ -36,8 +36,30 @@ std::optional<PolyMesh> solid_of(const FirstReading& first, const Drawing& drawi
   return std::nullopt;
 }
 
-Report row_of(const std::string& file, double cost, const std::vector<std::string>& differs) {
-  return to_report(fields(named("file", file), named("cost", cost), named("differs", Report::list(differs))));
+/// What a stroke has to say for a reading.
+struct Said {
+  std::string stroke, key, value;
+};
+
+std::vector<Said> said_in(const Drawing& drawing, const Drawing& reading) {
+  std::vector<Said> all;
+  for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
+    const auto& before = drawing.strokes[s].data;
+    for (const auto& [key, value] : reading.strokes[s].data) {
+      const auto known = before.find(key);
+      if (known == before.end() || known->second != value) all.push_back({drawing.strokes[s].id, key, value});
+    }
+  }
+  return all;
+}
+
+Report row_of(const std::string& file, const Drawing& drawing, const silhouette::DrawingReading& reading) {
+  Report says = Report::array();
+  for (const auto& [stroke, key, value] : said_in(drawing, reading.drawing)) {
+    says.push(to_report(fields(named("stroke", stroke), named("key", key), named("value", value))));
+  }
+  return to_report(fields(named("file", file), named("cost", reading.cost),
+                          named("differs", Report::list(reading.differs)), named("says", says)));
 }
 
 }  // namespace
@@ -78,7 +100,7 @@ void stage_alternatives(const FirstReading& first, std::size_t count, const Invo
   silhouette::DrawingReadings readings = readings_of(drawing, first.parameters);
   Progress looking = progress.step("other readings", 1);
   Report rows = Report::array();
-  rows.push(row_of(numbered_path(invocation.output, 1), 0, {}));
+  rows.push(row_of(numbered_path(invocation.output, 1), drawing, {drawing, 0, {}}));
   std::size_t found = 1;
   readings.next(looking);  // the first one again
   while (found < count) {
@@ -88,7 +110,7 @@ void stage_alternatives(const FirstReading& first, std::size_t count, const Invo
     const std::optional<PolyMesh> mesh = solid_of(first, reading->drawing, path, invocation, looking);
     if (!mesh) continue;
     ++found;
-    rows.push(row_of(path, reading->cost, reading->differs));
+    rows.push(row_of(path, drawing, *reading));
     stage_mesh(path, *mesh, {}, output_mesh_format(path, invocation.output_format), result, looking);
   }
   if (result.details) result.details->set(alternatives_name, std::move(rows));
