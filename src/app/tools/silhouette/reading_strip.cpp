@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/object_names.h"
 #include "app/views/offscreen_pictures.h"
 #include "app/views/viewport.h"
+#include "app/window/language.h"
 #include "croquis/document/operation.h"
 #include "croquis/document/registry.h"
 #include "croquis/operators/drawing_readings.h"
@@ -128,7 +128,7 @@ void ReadingStrip::add(Found found) {
   button->setIconSize(reading_picture);
   button->setIcon(QPixmap::fromImage(found.picture));
   QStringList differs;
-  for (const std::string& sentence : found.reading.differs) differs << QString::fromStdString(sentence);
+  for (const std::string& sentence : found.reading.differs) differs << localized(sentence);
   const QString words = differs.isEmpty() ? tr("As it is read now") : differs.join("\n");
   button->setToolTip(words);
   button->setAccessibleName(words);
