@@ -445,8 +445,9 @@ void apply_pins(const Material& material, ReadingProgram& program) {
 /// always be labelled. Bounds are counts.
 /// @param cheapest only the first one is tried
 /// @throws Error when nothing can be labelled
-LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress, bool cheapest = false) {
-  Material material{drawing, options, {}, {}, {}, pinned_ends(drawing)};
+LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, const std::vector<PinnedEnds>& pins,
+                             Progress& progress, bool cheapest = false) {
+  Material material{drawing, options, {}, {}, {}, pins};
   sample(material);
   if (material.sampled.strokes.empty()) {  // only tubes
     LabelledDrawing labelled = label_reading(material, {}, progress);
@@ -494,6 +495,21 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   return result;
 }
 
+/// Pins that can't be kept any more, since strokes have changed, are named and left out.
+LabelledDrawing read_with_pins(const Drawing& drawing, const Options& options, Progress& progress) {
+  const std::vector<PinnedEnds> pins = pinned_ends(drawing);
+  try {
+    return read_drawing(drawing, options, pins, progress);
+  } catch (const Error&) {
+    if (pins.empty()) throw;
+  }
+  LabelledDrawing without = read_drawing(drawing, options, {}, progress);
+  without.findings.push_back(pins_not_kept(drawing, pins));
+  without.findings.back().code = "W_PIN";
+  without.findings.back().severity = Severity::Warning;
+  return without;
+}
+
 }  // namespace
 
 Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps) {
@@ -524,7 +540,7 @@ Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const st
 }
 
 LabelledDrawing label_cheapest(const Drawing& drawing, const Options& options, Progress& progress) {
-  return read_drawing(drawing, options, progress, true);
+  return read_drawing(drawing, options, pinned_ends(drawing), progress, true);
 }
 
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
@@ -536,9 +552,9 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
   const auto labelled = cached<LabelledDrawing>(
       options.cache, "silhouette labels", key,
       [&] {
-        LabelledDrawing read = read_drawing(drawing, options, progress);
+        LabelledDrawing read = read_with_pins(drawing, options, progress);
         if (options.swaps.empty()) return read;
-        return read_drawing(swap_overlaps(drawing, read, options.swaps), options, progress);
+        return read_with_pins(swap_overlaps(drawing, read, options.swaps), options, progress);
       },
       [](const LabelledDrawing& result) { return bytes_of(result); });
   progress.report(1);

@@ -120,7 +120,7 @@ Finding pins_not_kept(const Drawing& drawing, const std::vector<PinnedEnds>& pin
              (joined ? " joined" : " apart");
     strokes.insert(strokes.end(), {ends[0].stroke, ends[1].stroke});
   }
-  return wrong_pin(drawing, "No solid looks like what is set for ends of strokes: " + pairs + "; take it back there",
+  return wrong_pin(drawing, "No solid looks like what is set for ends of strokes: " + pairs + "; it is left out, or the strokes have to change",
                    strokes);
 }
 

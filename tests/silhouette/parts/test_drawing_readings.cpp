@@ -197,3 +197,28 @@ TEST_CASE("pins that contradict are refused with the strokes' names", "[readings
   CHECK(contains(error_of(with("joined", "end of it")), "names no two ends"));
   CHECK(error_of(with("joined", "end nobody start")).empty());
 }
+
+TEST_CASE("pins are kept, or named where no solid looks like them", "[readings]") {
+  const Drawing drawing = sticks_behind_disc(2);
+  int kept = 0, left_out = 0;
+  for (Index other = 1; other < drawing.strokes.size(); ++other) {
+    if (drawing.strokes[0].closed || drawing.strokes[other].closed) continue;
+    for (const bool at_start : {true, false}) {
+      Drawing pinned = drawing;
+      const silhouette::PinnedEnds pin{{silhouette::StrokeEnd{0, true}, silhouette::StrokeEnd{other, at_start}}, true};
+      silhouette::pin_ends(pinned, pin);
+      CHECK(silhouette::pinned_ends(pinned).front() == pin);
+      Progress progress;
+      const silhouette::LabelledDrawing labelled = silhouette::label(pinned, {}, progress);
+      const bool found = std::ranges::any_of(labelled.figures, [&](const silhouette::LabelledFigure& figure) {
+        return std::ranges::count(figure.completions, pin.ends, &silhouette::FigureCompletion::ends) > 0;
+      });
+      const auto note = std::ranges::find(labelled.findings, "W_PIN", &Finding::code);
+      CHECK((found || note != labelled.findings.end()));
+      if (!found) CHECK(contains(note->message, "\"" + drawing.strokes[0].id + "\""));
+      ++(found ? kept : left_out);
+    }
+  }
+  CHECK(kept > 0);
+  CHECK(left_out > 0);
+}

@@ -88,6 +88,7 @@ void ReadingStrip::shut() {
   const bool had_focus = isAncestorOf(window()->focusWidget());
   for (QToolButton* button : std::exchange(buttons_, {})) {
     button->hide();
+    button->setObjectName({});  // it may have been clicked just now: it goes later
     button->deleteLater();
   }
   hide();
