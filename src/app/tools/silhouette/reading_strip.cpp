@@ -65,7 +65,8 @@ ReadingStrip::ReadingStrip(ToolHost& host) : QFrame(&host.viewport()), host_(hos
   setStyleSheet(strip_style);
   setLayout(new QHBoxLayout);
   layout()->addWidget(state_);
-  layout()->setContentsMargins(6, 6, 6, 6);
+  layout()->setContentsMargins(4, 4, 4, 4);
+  layout()->setSpacing(2);
   hide();
 }
 
@@ -145,7 +146,8 @@ void ReadingStrip::add(Found found) {
 void ReadingStrip::go(int by) {
   if (buttons_.empty()) return;
   const auto count = static_cast<int>(buttons_.size());
-  const auto now = std::ranges::find_if(buttons_, [](const QToolButton* button) { return button->hasFocus(); });
+  const auto now = std::ranges::find_if(
+      buttons_, [&](const QToolButton* button) { return button == window()->focusWidget(); });
   const int at = now == buttons_.end() ? -by : static_cast<int>(now - buttons_.begin());
   buttons_[static_cast<std::size_t>((at + by + count) % count)]->setFocus();
 }
@@ -176,6 +178,12 @@ bool ReadingStrip::eventFilter(QObject* button, QEvent* event) {
 
 void ReadingStrip::place(const ViewPane& pane, bool shown) {
   if (!is_open() || !shown || !pane.visible()) return hide();
+  // All that may come fit into the view.
+  constexpr int around_picture = 14;
+  const int wide = static_cast<int>(pane.rect.width()) / static_cast<int>(most_readings_shown) - around_picture;
+  const QSize picture = reading_picture.boundedTo({wide, wide * reading_picture.height() / reading_picture.width()});
+  for (QToolButton* button : buttons_) button->setIconSize(picture);
+  layout()->activate();
   adjustSize();
   const QPointF middle = pane.rect.center();
   move(QPointF(middle.x() - width() / 2.0, pane.rect.bottom() - height() - strip_above_edge).toPoint());
