@@ -61,8 +61,8 @@ TEST_CASE("readings are written one after the other, the first as without the op
 
 TEST_CASE("a drawing without other readings says so") {
   const ScratchFolder folder;
-  const std::string disc =
-      folder.write("disc.svg", R"(<svg xmlns="http://www.w3.org/2000/svg"><circle id="disc" cx="0" cy="0" r="90"/></svg>)");
+  const std::string disc = folder.write(
+      "disc.svg", R"(<svg xmlns="http://www.w3.org/2000/svg"><circle id="disc" cx="0" cy="0" r="90"/></svg>)");
   const ProcessResult all = run_cli({"inflate", disc, "-o", folder / "solid.obj", "--alternatives", "99"});
   CHECK(all.code == 0);
   CHECK(all.err.find("no more than 1 reading") != std::string::npos);

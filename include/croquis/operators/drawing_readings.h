@@ -8,7 +8,8 @@ namespace croquis {
 
 /// The readings of a drawing with parameters of the operation `inflate`.
 /// @param parameters those that differ from the defaults, or all
-/// @throws Error (E_PARAMETER) for values that can't be read, and for swaps: overlaps have other numbers in each reading
+/// @throws Error (E_PARAMETER) for values that can't be read, and for swaps: overlaps have other numbers in each
+/// reading
 silhouette::DrawingReadings readings_of(const Drawing& drawing, const ParameterValues& parameters);
 
 }  // namespace croquis

@@ -137,7 +137,7 @@ struct LabelledDrawing {
   std::vector<TubeCrossing> tube_crossings;
   std::vector<EndPair> joined;  ///< ends that are one place of a line in full view
   double cost = 0;              ///< of all that is supposed: kinds, connections, hidden pieces; dimensionless
-  Findings findings;  ///< warnings, and the errors of parts that could not
+  Findings findings;            ///< warnings, and the errors of parts that could not
 };
 
 /// Sections 4 to 7: prepares strokes, finds which ends pass behind what, completes and labels the contours.

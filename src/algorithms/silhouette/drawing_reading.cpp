@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -25,33 +23,6 @@
 
 namespace croquis::silhouette {
 namespace {
-
-// Drawings with symmetries put samples exactly on other lines. So small a displacement (of a step) can't be seen and
-// leaves no three points on a line.
-constexpr double displacement = 1e-7;
-
-/// A start for a line's counter that no other line shares, and that stays the same while other lines change: then the
-/// parts of the drawing made of those don't.
-std::uint64_t seed_of(const CleanLine& line) {
-  std::uint64_t seed = line.points.size();
-  for (const Vec2& point : {line.points.front(), line.points[line.points.size() / 2], line.points.back()}) {
-    for (const double coordinate : {point.x(), point.y()}) {
-      seed = seed * 0x100000001b3U + std::bit_cast<std::uint64_t>(coordinate);
-      seed = (seed ^ (seed >> 29)) * 0xbf58476d1ce4e5b9U;
-    }
-  }
-  return seed;
-}
-
-void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
-  for (CleanLine& line : lines) {
-    std::uint64_t counter = seed_of(line);
-    for (Vec2& point : line.points) {
-      point.x() += displacement * step * scattered(counter++);
-      point.y() += displacement * step * scattered(counter++);
-    }
-  }
-}
 
 /// Marks the overlaps of objects whose outlines cross in full view.
 void mark_whole_outlines(LabelledDrawing& labelled) {
@@ -256,19 +227,6 @@ void add_connections_and_cost(const Material& material, const Reading& reading, 
   }
 }
 
-/// The pins that a reading doesn't have.
-std::vector<PinnedEnds> pins_lost(const Material& material, const LabelledDrawing& labelled) {
-  std::vector<PinnedEnds> lost;
-  for (const PinnedEnds& pin : material.pins) {
-    const bool found = std::ranges::count(labelled.joined, pin.ends) > 0 ||
-                       std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
-                         return std::ranges::count(figure.completions, pin.ends, &FigureCompletion::ends) > 0;
-                       });
-    if (found != pin.joined) lost.push_back(pin);
-  }
-  return lost;
-}
-
 LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
   const Drawing& drawing = material.drawing;
   DrawingScale scale = material.sampled.scale;
@@ -310,7 +268,7 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   append(std::move(result.findings), findings);
   append(covered_lines(drawing, result), findings);
-  const std::vector<PinnedEnds> lost = pins_lost(material, result);
+  const std::vector<PinnedEnds> lost = pins_lost(material.pins, result);
   if (!lost.empty()) findings.push_back(pins_not_kept(drawing, lost));
   for (const LabelledFigure& figure : result.figures) append(nested_findings(drawing, figure), findings);
   result.findings = std::move(findings);
@@ -490,7 +448,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, con
                            : first     ? *std::move(first)
                                        : nothing_read(material, program);
   if (result.figures.empty()) throw Error(result.findings);
-  const std::vector<PinnedEnds> lost = pins_lost(material, result);
+  const std::vector<PinnedEnds> lost = pins_lost(material.pins, result);
   if (!lost.empty()) throw Error(pins_not_kept(drawing, lost));
   return result;
 }
@@ -511,33 +469,6 @@ LabelledDrawing read_with_pins(const Drawing& drawing, const Options& options, P
 }
 
 }  // namespace
-
-Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps) {
-  std::vector<Index> crossings;  // per overlap
-  for (const LabelledFigure& figure : labelled.figures) {
-    for (const FigureOverlap& overlap : figure.overlaps) crossings.push_back(overlap.tube_crossing);
-  }
-  for (const Index overlap : overlaps) {
-    const bool known = overlap < crossings.size();
-    if (!known || crossings[overlap] == no_index) {
-      const std::string why =
-          known ? " isn't of two strands of tubes: say by data-behind what lies behind"
-                : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
-      const std::string sentence = "The overlap " + std::to_string(overlap) + why + ", counted from 0";
-      throw Error(make_error(Category::Usage, "E_SWAP", sentence, {{SubjectKind::Parameter, "swap", {}, {}, {}}}));
-    }
-    const TubeCrossing& crossing = labelled.tube_crossings[crossings[overlap]];
-    Stroke& stroke = drawing.strokes[crossing.stroke];
-    std::vector<std::string_view> words = over_words(stroke);
-    words.resize(std::max<std::size_t>(words.size(), crossing.word + 1), auto_word);
-    const bool is_over = words[crossing.word] == auto_word ? crossing.over : words[crossing.word] == over_word;
-    words[crossing.word] = is_over ? under_word : over_word;
-    std::string list;
-    for (const std::string_view word : words) list.append(list.empty() ? "" : ",").append(word);
-    stroke.data[over_key] = std::move(list);
-  }
-  return drawing;
-}
 
 LabelledDrawing label_cheapest(const Drawing& drawing, const Options& options, Progress& progress) {
   return read_drawing(drawing, options, pinned_ends(drawing), progress, true);

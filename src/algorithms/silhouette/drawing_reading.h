@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "algorithms/silhouette/strokes/clean_line.h"
 #include "croquis/silhouette/labelled_figure.h"
 
 namespace croquis::silhouette {
@@ -9,5 +10,11 @@ namespace croquis::silhouette {
 /// times as long.
 /// @throws Error when it can't be labelled or would lose lines; Cancelled
 LabelledDrawing label_cheapest(const Drawing& drawing, const Options& options, Progress& progress);
+
+/// The pins that a reading doesn't have.
+std::vector<PinnedEnds> pins_lost(const std::vector<PinnedEnds>& pins, const LabelledDrawing& labelled);
+
+/// Moves samples by far less than can be seen, so that no three of them lie on a line.
+void bring_into_general_position(std::vector<CleanLine>& lines, double step);
 
 }  // namespace croquis::silhouette

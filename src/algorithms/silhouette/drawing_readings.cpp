@@ -11,6 +11,7 @@
 #include "algorithms/silhouette/drawing_reading.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
+#include "croquis/base/text.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
@@ -96,8 +97,7 @@ std::vector<std::string> differences(const Drawing& drawing, const Decisions& fi
       all.push_back(over ? name(stroke) + " passes over " + name(other) : name(other) + " passes over " + name(stroke));
   }
   for (const EndPair& pair : own.joined) {
-    if (!first.joined.contains(pair))
-      all.push_back(name_of_end(pair[0]) + " is joined to " + name_of_end(pair[1]));
+    if (!first.joined.contains(pair)) all.push_back(name_of_end(pair[0]) + " is joined to " + name_of_end(pair[1]));
   }
   for (const auto& [object, euler] : own.euler) {
     const auto known = first.euler.find(object);
@@ -198,9 +198,8 @@ class Changes {
     const std::vector<PinnedEnds> pins = pinned_ends(drawing_);
     for (const FigureCompletion& completion : figure.completions) {
       const PinnedEnds own{completion.ends, true};
-      const bool drawn = std::ranges::any_of(completion.ends, [&](const StrokeEnd& end) {
-        return labelled_.kinds[end.stroke] == StrokeKind::Hidden;
-      });
+      const bool drawn = std::ranges::any_of(
+          completion.ends, [&](const StrokeEnd& end) { return labelled_.kinds[end.stroke] == StrokeKind::Hidden; });
       if (!drawn && std::ranges::count(pins, own) == 0) pin_ends(add(0), {completion.ends, false});
     }
   }
@@ -213,9 +212,7 @@ class Changes {
       case StrokeKind::Part:
       case StrokeKind::Blob:
       case StrokeKind::Hole: return set_kind(s, StrokeKind::Detail, 0);
-      case StrokeKind::Tube:
-        set_kind(s, StrokeKind::Detail, 0);
-        return set_kind(s, StrokeKind::Contour, 0);
+      case StrokeKind::Tube: set_kind(s, StrokeKind::Detail, 0); return set_kind(s, StrokeKind::Contour, 0);
       case StrokeKind::Detail:
       case StrokeKind::Scribble:
       case StrokeKind::Ignored:
@@ -259,6 +256,33 @@ std::size_t error_count(const Findings& findings) {
 
 }  // namespace
 
+Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps) {
+  std::vector<Index> crossings;  // per overlap
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const FigureOverlap& overlap : figure.overlaps) crossings.push_back(overlap.tube_crossing);
+  }
+  for (const Index overlap : overlaps) {
+    const bool known = overlap < crossings.size();
+    if (!known || crossings[overlap] == no_index) {
+      const std::string why =
+          known ? " isn't of two strands of tubes: say by data-behind what lies behind"
+                : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
+      const std::string sentence = "The overlap " + std::to_string(overlap) + why + ", counted from 0";
+      throw Error(make_error(Category::Usage, "E_SWAP", sentence, {{SubjectKind::Parameter, "swap", {}, {}, {}}}));
+    }
+    const TubeCrossing& crossing = labelled.tube_crossings[crossings[overlap]];
+    Stroke& stroke = drawing.strokes[crossing.stroke];
+    std::vector<std::string_view> words = over_words(stroke);
+    words.resize(std::max<std::size_t>(words.size(), crossing.word + 1), auto_word);
+    const bool is_over = words[crossing.word] == auto_word ? crossing.over : words[crossing.word] == over_word;
+    words[crossing.word] = is_over ? under_word : over_word;
+    std::string list;
+    for (const std::string_view word : words) list.append(list.empty() ? "" : ",").append(word);
+    stroke.data[over_key] = std::move(list);
+  }
+  return drawing;
+}
+
 /// Best first: what was given last is changed in all ways before the cheapest of all that are known is given.
 class DrawingReadings::Search {
  public:
@@ -298,8 +322,8 @@ class DrawingReadings::Search {
     Drawing drawing;
     Decisions decisions;
     Decisions parent;
-    double cost = 0;        ///< more than the first one's
-    double supposed = 0;    ///< part of it that labelled drawings don't know
+    double cost = 0;      ///< more than the first one's
+    double supposed = 0;  ///< part of it that labelled drawings don't know
     std::size_t number = 0;
   };
 

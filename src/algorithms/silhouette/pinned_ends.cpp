@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "algorithms/silhouette/drawing_reading.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
@@ -112,6 +113,18 @@ void pin_ends(Drawing& drawing, const PinnedEnds& pin) {
   list += (list.empty() ? "" : ", ") + word(own) + " " + drawing.strokes[other.stroke].id + " " + word(other);
 }
 
+std::vector<PinnedEnds> pins_lost(const std::vector<PinnedEnds>& pins, const LabelledDrawing& labelled) {
+  std::vector<PinnedEnds> lost;
+  for (const PinnedEnds& pin : pins) {
+    const bool found = std::ranges::count(labelled.joined, pin.ends) > 0 ||
+                       std::ranges::any_of(labelled.figures, [&](const LabelledFigure& figure) {
+                         return std::ranges::count(figure.completions, pin.ends, &FigureCompletion::ends) > 0;
+                       });
+    if (found != pin.joined) lost.push_back(pin);
+  }
+  return lost;
+}
+
 Finding pins_not_kept(const Drawing& drawing, const std::vector<PinnedEnds>& pins) {
   std::string pairs;
   std::vector<Index> strokes;
@@ -120,7 +133,9 @@ Finding pins_not_kept(const Drawing& drawing, const std::vector<PinnedEnds>& pin
              (joined ? " joined" : " apart");
     strokes.insert(strokes.end(), {ends[0].stroke, ends[1].stroke});
   }
-  return wrong_pin(drawing, "No solid looks like what is set for ends of strokes: " + pairs + "; it is left out, or the strokes have to change",
+  return wrong_pin(drawing,
+                   "No solid looks like what is set for ends of strokes: " + pairs +
+                       "; it is left out, or the strokes have to change",
                    strokes);
 }
 

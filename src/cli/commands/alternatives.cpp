@@ -67,10 +67,11 @@ Report row_of(const std::string& file, const Drawing& drawing, const silhouette:
 bool has_readings(const OperationDescription& description) { return description.id == "inflate"; }
 
 ParameterDescription alternatives_option() {
-  return text_parameter(alternatives_name, "",
-                        "Write so many readings of the drawing, 1 to 99, as OUT-1, OUT-2 and so on: the best one, then "
-                        "others in which strokes have other kinds, hidden ends are joined in other ways, or other parts "
-                        "lie in front.");
+  return text_parameter(
+      alternatives_name, "",
+      "Write so many readings of the drawing, 1 to 99, as OUT-1, OUT-2 and so on: the best one, then "
+      "others in which strokes have other kinds, hidden ends are joined in other ways, or other parts "
+      "lie in front.");
 }
 
 std::optional<std::size_t> asked_readings(const OperationDescription& description, const Invocation& invocation) {

@@ -363,18 +363,6 @@ std::string summary(const CommandResult& result) {
   return text;
 }
 
-/// The details' sentence, and their lists as tables.
-std::string list_text(const Report& details) {
-  std::string text;
-  for (const auto& [key, value] : details.as_object()) {
-    const auto* words = std::get_if<std::string>(&value.value());
-    const auto* rows = std::get_if<Report::Array>(&value.value());
-    const std::string part = words != nullptr ? *words : rows != nullptr ? report_table(value) : "";
-    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
-  }
-  return text;
-}
-
 /// An example where the program writes STEP files, else the reason why it doesn't.
 void add_step(const std::string& call, CommandDescription& description) {
   const std::string why = why_no_step();

@@ -336,13 +336,6 @@ Verdict SketchTool::drag(const std::string& stroke, std::optional<std::size_t> a
                              recorded::Drag{stroke, anchor, by}});
 }
 
-Verdict SketchTool::read_as(const recorded::ReadingChosen& reading) {
-  give_up();
-  const auto before = drawing();
-  if (!before) refuse_stroke(reading.says.empty() ? "" : reading.says.front().front());
-  return commit(SketchChange{set_data(*before, reading.says), "Choose a reading", reading});
-}
-
 Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   const bool goes_on = gesture_ && gesture_->kind == SketchGesture::Kind::Setting;
   if (!goes_on) give_up();
@@ -393,6 +386,12 @@ const StrokeFit* SketchTool::fit(const std::string& id) {
     kept = {stroke->samples, fit_in_drawing(*now, *stroke)};
   }
   return &kept.fit;
+}
+
+void read_as(Session& session, NodeId node, const recorded::ReadingChosen& reading) {
+  const auto drawing = source_of<Drawing>(session.document().find(node));
+  if (!drawing) refuse_stroke(reading.says.empty() ? "" : reading.says.front().front());
+  session.edit("Choose a reading", with_edit(session.document(), node, set_data(*drawing, reading.says), {}));
 }
 
 }  // namespace croquis

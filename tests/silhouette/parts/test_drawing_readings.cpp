@@ -47,7 +47,8 @@ Drawing sticks_behind_disc(int number) {
 
 Drawing ring(double outer, double inner) {
   Drawing drawing;
-  drawing.strokes = {stroke_of("outer", circle_outline({0, 0}, outer)), stroke_of("inner", circle_outline({0, 0}, inner))};
+  drawing.strokes = {stroke_of("outer", circle_outline({0, 0}, outer)),
+                     stroke_of("inner", circle_outline({0, 0}, inner))};
   for (Stroke& stroke : drawing.strokes) stroke.closed = true;
   return drawing;
 }

@@ -90,10 +90,6 @@ class SketchTool {
   /// @throws Error (E_INPUT) when there is no such stroke
   Verdict set(const recorded::StrokeReading& setting, bool dragging = false);
 
-  /// Says of several strokes at once how the drawing is to be read, as one undo step.
-  /// @throws Error (E_INPUT) when there is no such stroke
-  Verdict read_as(const recorded::ReadingChosen& reading);
-
   /// The drawing node worked on: the one set, else the document's first drawing; 0 when there is none yet.
   NodeId node() const;
   void set_node(NodeId node) { node_ = node; }
@@ -129,5 +125,9 @@ class SketchTool {
   SessionDrag drag_;
   std::map<std::string, KeptFit> fits_;
 };
+
+/// Says of several strokes of a drawing at once how it is to be read, as one undo step.
+/// @throws Error (E_INPUT) when there is no such stroke
+void read_as(Session& session, NodeId node, const recorded::ReadingChosen& reading);
 
 }  // namespace croquis

@@ -352,8 +352,8 @@ std::optional<Reading> ReadingProgram::best() {
     }
     return taken;
   };
-  Reading reading{{}, taken_of(variables_.join), taken_of(variables_.meeting), taken_of(variables_.region),
-                  solution.cost};
+  Reading reading{
+      {}, taken_of(variables_.join), taken_of(variables_.meeting), taken_of(variables_.region), solution.cost};
   for (const auto& kinds : variables_.kind) {
     reading.kinds.push_back(static_cast<LineKind>(std::ranges::find_if(kinds, is_taken) - kinds.begin()));
   }

@@ -38,10 +38,10 @@ struct ReadingVariables {
   /// With the surface on the left, and on the right; twice the same of what doesn't bound a surface on one side.
   using Sides = std::array<Index, 2>;
 
-  std::vector<std::array<Sides, kind_count>> kind{};  ///< per stroke
-  Index kinds_end = 0;                                ///< the first variable after those of kinds
+  std::vector<std::array<Sides, kind_count>> kind{};         ///< per stroke
+  Index kinds_end = 0;                                       ///< the first variable after those of kinds
   std::vector<Sides> join{}, meeting{}, hidden{}, region{};  ///< per candidate
-  std::vector<Index> open{};                          ///< per stroke: its line has hidden ends; empty until it matters
+  std::vector<Index> open{};  ///< per stroke: its line has hidden ends; empty until it matters
 
   const Sides& of(Index stroke, LineKind line) const { return kind[stroke][static_cast<std::size_t>(line)]; }
 };

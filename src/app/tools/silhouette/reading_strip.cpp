@@ -68,12 +68,16 @@ ReadingStrip::ReadingStrip(ToolHost& host) : QFrame(&host.viewport()), host_(hos
   layout()->setContentsMargins(4, 4, 4, 4);
   layout()->setSpacing(2);
   hide();
+  connect(&host.studio(), &Studio::changed, this, [this] {
+    if (host_.studio().session().state() != document_state_) shut();
+  });
 }
 
 void ReadingStrip::open() {
   if (is_open()) return go(1);
   const Node* operation = host_.studio().solid_operation();
   if (operation == nullptr) return;
+  document_state_ = host_.studio().session().state();
   host_.attempt([&] {
     readings_ =
         std::make_shared<silhouette::DrawingReadings>(readings_of(host_.studio().drawing(), operation->parameters));
@@ -146,8 +150,8 @@ void ReadingStrip::add(Found found) {
 void ReadingStrip::go(int by) {
   if (buttons_.empty()) return;
   const auto count = static_cast<int>(buttons_.size());
-  const auto now = std::ranges::find_if(
-      buttons_, [&](const QToolButton* button) { return button == window()->focusWidget(); });
+  const auto now =
+      std::ranges::find_if(buttons_, [&](const QToolButton* button) { return button == window()->focusWidget(); });
   const int at = now == buttons_.end() ? -by : static_cast<int>(now - buttons_.begin());
   buttons_[static_cast<std::size_t>((at + by + count) % count)]->setFocus();
 }

@@ -56,6 +56,7 @@ class ReadingStrip final : public QFrame {
 
   ToolHost& host_;
   std::shared_ptr<silhouette::DrawingReadings> readings_;  ///< null: the strip is closed
+  std::uint64_t document_state_ = 0;                       ///< that they were looked for in
   std::vector<Found> found_;
   std::vector<QToolButton*> buttons_;
   QLabel* state_;

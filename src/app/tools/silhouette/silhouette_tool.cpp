@@ -67,7 +67,9 @@ ObjectRow row_of(const Body& body) {
 }
 
 /// What replays can ask of sketches.
-void add_counts(Replays& replays, const Studio& studio) {
+void add_counts(Replays& replays, Studio& studio, const SketchTool& tool) {
+  replays.on<recorded::ReadingChosen>(
+      [&](const recorded::ReadingChosen& step) { read_as(studio.session(), tool.node(), step); });
   // The sketch's solid counts as the bodies that it has.
   replays.counts["objects"] = [&studio](const std::string&) {
     std::size_t count = 0;
@@ -201,8 +203,8 @@ void copy_to_far_side(const Studio& studio, const SketchTool& tool, SketchChips&
 }
 
 /// @param tube_share that a choice is written to, of the view's diagonal
-void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chips, double& tube_share,
-                        ActionList& actions) {
+void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chips, ReadingStrip& readings,
+                        double& tube_share, ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -221,6 +223,8 @@ void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chi
   actions.add(
       sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")},
       [&] { copy_to_far_side(host.studio(), tool, chips); }, Recorded::ByItself);
+  actions.add(
+      sketch, "readings", tr("Other readings"), {}, [&readings] { readings.open(); }, Recorded::ByItself);
   QMenu* radii = sketch->addMenu(tr("Tube radius"));
   auto* choice = new QActionGroup(radii);
   for (const int percent : {1, 2, 3, 5, 8}) {
@@ -232,6 +236,26 @@ void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chi
     choice->addAction(action);
   }
   sketch->addSeparator();
+}
+
+/// The strip of other readings, which changes the tool's drawing.
+ReadingStrip* make_readings(ToolHost& host, const SketchTool& tool, SilhouetteTool& owner) {
+  auto* strip = new ReadingStrip(host);
+  QObject::connect(strip, &ReadingStrip::size_changed, &owner, [&owner] { emit owner.changed(SketchView); });
+  QObject::connect(strip, &ReadingStrip::chosen, &owner, [&](const recorded::ReadingChosen& reading) {
+    read_as(host.studio().session(), tool.node(), reading);
+    emit owner.committed(reading);
+  });
+  return strip;
+}
+
+/// Where there is no solid, Tab goes to the next field as it does everywhere.
+void offer_readings(ToolHost& host, ReadingStrip& strip, bool has_view, ToolKeys& keys) {
+  const Studio& studio = host.studio();
+  const bool has_solid = has_view && studio.solid_node() != 0 && !studio.drawing().strokes.empty();
+  host.action("readings")->setEnabled(has_solid);
+  keys.pressed.erase(Qt::Key_Tab);
+  if (has_solid) keys.pressed[Qt::Key_Tab] = [&strip] { strip.open(); };
 }
 
 QString help_of(SketchMode mode, bool has_strokes, bool tubes) {
@@ -252,33 +276,22 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
     : Tool(host, "Drawing"),
       tool_(host.studio().session(), host.studio().tool_options()),
       chips_(host.studio(), tool_, host.viewport()),
-      readings_(new ReadingStrip(host)),
+      readings_(make_readings(host, tool_, *this)),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
   hint_->setText(tr("Trace me: one closed line becomes a solid"));
   connect(&chips_, &SketchChips::committed, this, &Tool::committed);
-  connect(readings_, &ReadingStrip::size_changed, this, [this] { emit changed(SketchView); });
-  connect(readings_, &ReadingStrip::chosen, this, [this](const recorded::ReadingChosen& reading) {
-    if (tool_.read_as(reading) == Verdict::Commit) emit committed(*tool_.done());
-  });
 }
 
 void SilhouetteTool::make_actions(ActionList& actions) {
-  add_sketch_actions(host(), tool_, chips_, tube_share_, actions);
-  actions.add(
-      actions.menu(MenuId::Sketch), "readings", tr("Other readings"), {}, [this] { readings_->open(); },
-      Recorded::ByItself);
+  add_sketch_actions(host(), tool_, chips_, *readings_, tube_share_, actions);
 }
 
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
-  const bool has_solid = has_view(SketchView) && studio().solid_node() != 0 && !studio().drawing().strokes.empty();
-  host().action("readings")->setEnabled(has_solid);
-  // Elsewhere Tab goes to the next field as it does everywhere.
-  keys.pressed.erase(Qt::Key_Tab);
-  if (has_solid) keys.pressed[Qt::Key_Tab] = [this] { readings_->open(); };
+  offer_readings(host(), *readings_, has_view(SketchView), keys);
   host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
@@ -392,7 +405,6 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
 void SilhouetteTool::follow(Change change) {
   if (change != Change::Document && change != Change::Result) return;
   if (change == Change::Document) {
-    readings_->shut();
     if (!down()) tool_.set_node(studio().drawing_node());
     scene_.show_preview(tool_.preview());
   } else {
@@ -461,7 +473,6 @@ void SilhouetteTool::make_replays(Replays& replays) {
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });
-  replays.on<recorded::ReadingChosen>([this](const recorded::ReadingChosen& step) { tool_.read_as(step); });
   replays.on<recorded::Drag>([this](const recorded::Drag& drag) { tool_.drag(drag.stroke, drag.anchor, drag.by); });
   replays.on<recorded::Click>([this](const recorded::Click& click) {
     if (!click.place) replay_gesture({sample_at(click.at)}, false, modifiers_of(click.modifiers), 0);
@@ -473,7 +484,7 @@ void SilhouetteTool::make_replays(Replays& replays) {
                    modifiers_of(box.modifiers), 0);
     return true;
   });
-  add_counts(replays, studio());
+  add_counts(replays, studio(), tool_);
 }
 
 std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) {
