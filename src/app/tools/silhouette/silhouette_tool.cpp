@@ -289,8 +289,7 @@ void SilhouetteTool::make_actions(ActionList& actions) {
 }
 
 void SilhouetteTool::refresh() {
-  const WorkObject* object = studio().active();
-  const bool mesh = object != nullptr && object->cage != 0;
+  const bool mesh = studio().active() != nullptr && studio().active()->cage != 0;
   offer_readings(host(), *readings_, has_view(SketchView), keys);
   host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
