@@ -91,4 +91,15 @@ std::string report_table(const Report& list) {
   return table;
 }
 
+std::string list_text(const Report& details) {
+  std::string text;
+  for (const auto& [key, value] : details.as_object()) {
+    const auto* words = std::get_if<std::string>(&value.value());
+    const auto* rows = std::get_if<Report::Array>(&value.value());
+    const std::string part = words != nullptr ? *words : rows != nullptr ? report_table(value) : "";
+    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
+  }
+  return text;
+}
+
 }  // namespace croquis::cli

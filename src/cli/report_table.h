@@ -11,4 +11,7 @@ namespace croquis::cli {
 /// Numbers are shortened to six digits. Empty for an empty list; ends without a newline.
 std::string report_table(const Report& list);
 
+/// The details' sentence, and their lists as tables.
+std::string list_text(const Report& details);
+
 }  // namespace croquis::cli

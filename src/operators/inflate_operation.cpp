@@ -7,6 +7,7 @@
 #include "croquis/base/text.h"
 #include "croquis/geometry/affine3.h"
 #include "croquis/operators/attach_text.h"
+#include "croquis/operators/drawing_readings.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/inflate_report.h"
@@ -129,6 +130,16 @@ OperationResult compute_inflate(const Values& inputs, Options options, Context& 
 }
 
 }  // namespace
+
+silhouette::DrawingReadings readings_of(const Drawing& drawing, const ParameterValues& parameters) {
+  Options options = settings_of<Options>(list_inflate_parameters,
+                                         complete(parameters_of<Options>(list_inflate_parameters), parameters));
+  if (!options.swaps.empty()) {
+    throw Error(refused_value("swap", text_of(parameters, "swap"),
+                              "nothing where other readings are asked for, in which overlaps have other numbers"));
+  }
+  return {drawing, std::move(options)};
+}
 
 std::unique_ptr<const Operation> inflate_operation() {
   return operation_of(

@@ -337,6 +337,7 @@ IntegerProgram::Solution IntegerProgram::solve(int maximum_nodes, double gap, In
   }
   solution.status = limited ? Status::Limit : Status::Optimal;
   solution.values = std::move(values);
+  for (std::size_t i = 0; i < cost_.size(); ++i) solution.cost += cost_[i] * solution.values[i];
   return solution;
 }
 

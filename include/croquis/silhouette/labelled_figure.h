@@ -41,6 +41,7 @@ struct FigureCrossing {
   Index over_position = 0;  ///< index of the crossing vertex in the over contour's vertices
   Index under_contour = 0;
   Index under_position = 0;
+  bool seen = true;  ///< what is drawn shows which one is over; else it is the cheapest labelling
 };
 
 /// Two tubes that were drawn as centre lines, or one with itself, pass over one another here.
@@ -57,6 +58,7 @@ struct FigureCompletion {
   std::vector<Vec2> points;  ///< from the one end to the other, both included
   Index contour = 0;
   double cost = 0;  ///< dimensionless
+  EndPair ends{};   ///< that it joins
 };
 
 /// One solid of the drawing: a connected component of the paneling (or all that a group was forced into).
@@ -133,7 +135,9 @@ struct LabelledDrawing {
   std::vector<StrokeKind> kinds;        ///< per stroke of the drawing, none of them Visible
   std::vector<CrossingInView> crossings;
   std::vector<TubeCrossing> tube_crossings;
-  Findings findings;  ///< warnings, and the errors of parts that could not
+  std::vector<EndPair> joined;  ///< ends that are one place of a line in full view
+  double cost = 0;              ///< of all that is supposed: kinds, connections, hidden pieces; dimensionless
+  Findings findings;            ///< warnings, and the errors of parts that could not
 };
 
 /// Sections 4 to 7: prepares strokes, finds which ends pass behind what, completes and labels the contours.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <compare>
 #include <map>
 #include <optional>
 #include <string>
@@ -77,11 +79,49 @@ inline constexpr std::string_view over_word = "over";    ///< it passes over the
 inline constexpr std::string_view under_word = "under";  ///< it passes under
 inline constexpr std::string_view auto_word = "auto";    ///< over and under by turns; the later of two tubes is over
 
+/// "joined": pairs of ends that are one line, in full view or behind something, separated by commas: which of its own
+/// ends, the other stroke's id, and which of its ends, such as "end s3 start". "apart": the same of ends that aren't.
+/// One of the two strokes says it. Pairs with strokes that don't exist mean nothing.
+inline constexpr const char* joined_key = "joined";
+inline constexpr const char* apart_key = "apart";
+inline constexpr std::string_view start_word = "start";
+inline constexpr std::string_view end_word = "end";
+
+/// Where a stroke begins or ends.
+struct StrokeEnd {
+  Index stroke = 0;  ///< index into Drawing::strokes
+  bool at_start = false;
+
+  friend auto operator<=>(const StrokeEnd&, const StrokeEnd&) = default;
+};
+
+/// Two of them, the lower one first.
+using EndPair = std::array<StrokeEnd, 2>;
+
+/// What a drawing says of two ends.
+struct PinnedEnds {
+  EndPair ends;
+  bool joined = true;  ///< else they are apart
+
+  friend bool operator==(const PinnedEnds&, const PinnedEnds&) = default;
+};
+
+/// All of "joined" and "apart".
+/// @throws Error (E_PIN) that names the strokes of entries that can't be read, or that contradict one another or the
+/// kinds given to strokes
+std::vector<PinnedEnds> pinned_ends(const Drawing& drawing);
+
+/// Writes it to the first one's stroke.
+void pin_ends(Drawing& drawing, const PinnedEnds& pin);
+
 /// Whether a stroke is the centre line of a tube.
 bool is_centre_line(const Stroke& stroke);
 
 /// None for a word that is no shape of ends.
 std::optional<TubeEnds> tube_ends(std::string_view word);
+
+/// The parts of a list in a stroke's data, separated by commas; views of it. None where it has no such data.
+std::vector<std::string_view> data_list(const Stroke& stroke, const char* key);
 
 /// The words of a tube's crossings; views of its data.
 std::vector<std::string_view> over_words(const Stroke& stroke);

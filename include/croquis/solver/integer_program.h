@@ -34,6 +34,7 @@ class IntegerProgram {
     Status status = Status::Infeasible;
     std::vector<int> values;  ///< of Limit: the best known, or empty
     int nodes = 0;            ///< branches looked at
+    double cost = 0;          ///< of the values
   };
 
   /// Branch and bound, the most promising branch first, over relaxations that GLPK solves. When rows are added after

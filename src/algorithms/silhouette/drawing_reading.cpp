@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithms/silhouette/drawing_reading.h"
+
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "algorithms/silhouette/figure/labelling.h"
+#include "algorithms/silhouette/reading/reading_costs.h"
 #include "algorithms/silhouette/reading/reading_program.h"
 #include "algorithms/silhouette/sampling/planar_walk.h"
 #include "algorithms/silhouette/stage.h"
@@ -22,33 +23,6 @@
 
 namespace croquis::silhouette {
 namespace {
-
-// Drawings with symmetries put samples exactly on other lines. So small a displacement (of a step) can't be seen and
-// leaves no three points on a line.
-constexpr double displacement = 1e-7;
-
-/// A start for a line's counter that no other line shares, and that stays the same while other lines change: then the
-/// parts of the drawing made of those don't.
-std::uint64_t seed_of(const CleanLine& line) {
-  std::uint64_t seed = line.points.size();
-  for (const Vec2& point : {line.points.front(), line.points[line.points.size() / 2], line.points.back()}) {
-    for (const double coordinate : {point.x(), point.y()}) {
-      seed = seed * 0x100000001b3U + std::bit_cast<std::uint64_t>(coordinate);
-      seed = (seed ^ (seed >> 29)) * 0xbf58476d1ce4e5b9U;
-    }
-  }
-  return seed;
-}
-
-void bring_into_general_position(std::vector<CleanLine>& lines, double step) {
-  for (CleanLine& line : lines) {
-    std::uint64_t counter = seed_of(line);
-    for (Vec2& point : line.points) {
-      point.x() += displacement * step * scattered(counter++);
-      point.y() += displacement * step * scattered(counter++);
-    }
-  }
-}
 
 /// Marks the overlaps of objects whose outlines cross in full view.
 void mark_whole_outlines(LabelledDrawing& labelled) {
@@ -91,6 +65,7 @@ struct Material {
   SampledDrawing sampled;
   Connections connections;
   Envelope envelope;
+  std::vector<PinnedEnds> pins = {};
 };
 
 /// The size that half of the length doesn't exceed.
@@ -235,6 +210,23 @@ void mark_limbs(const Drawing& drawing, LabelledDrawing& labelled) {
   }
 }
 
+/// What was joined in full view, and what all of the reading costs.
+void add_connections_and_cost(const Material& material, const Reading& reading, LabelledDrawing& labelled) {
+  const auto stroke_end_of = [&](Index end) {
+    return StrokeEnd{material.sampled.strokes[material.connections.ends[end].stroke].stroke,
+                     material.connections.ends[end].at_start};
+  };
+  for (const Index join : reading.joins) {
+    EndPair& pair = labelled.joined.emplace_back();
+    pair = {stroke_end_of(material.connections.joins[join].a), stroke_end_of(material.connections.joins[join].b)};
+    std::ranges::sort(pair);
+  }
+  labelled.cost = reading.cost;
+  for (const LabelledFigure& figure : labelled.figures) {
+    for (const FigureCompletion& completion : figure.completions) labelled.cost += costs::hidden * completion.cost;
+  }
+}
+
 LabelledDrawing label_reading(const Material& material, const Reading& reading, const Progress& progress) {
   const Drawing& drawing = material.drawing;
   DrawingScale scale = material.sampled.scale;
@@ -262,11 +254,12 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   order.passings = std::move(passings.all);
   bring_into_general_position(lines, scale.step);
 
-  const FigureContext context{drawing, material.options, scale, lines, junctions, order};
+  const FigureContext context{drawing, material.options, scale, lines, junctions, order, material.pins};
   LabelledDrawing result = label_parts(context, progress.silent());
   result.crossings = std::move(order.pairs);
   for (const TubePassing& passing : order.passings) result.tube_crossings.push_back(passing.crossing);
   result.kinds = kinds_of(material, reading);
+  add_connections_and_cost(material, reading, result);
   add_dots(material, result);
   mark_limbs(drawing, result);
   add_nested(drawing, result);
@@ -275,6 +268,8 @@ LabelledDrawing label_reading(const Material& material, const Reading& reading, 
   for (LineFinding& found : junctions.findings) findings.push_back(std::move(found.finding));
   append(std::move(result.findings), findings);
   append(covered_lines(drawing, result), findings);
+  const std::vector<PinnedEnds> lost = pins_lost(material.pins, result);
+  if (!lost.empty()) findings.push_back(pins_not_kept(drawing, lost));
   for (const LabelledFigure& figure : result.figures) append(nested_findings(drawing, figure), findings);
   result.findings = std::move(findings);
   return result;
@@ -378,9 +373,26 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
                                           {stroke_subject(material.drawing, stroke)}));
   }
   if (has_errors(nothing.findings)) return nothing;
+  if (!material.pins.empty()) {
+    nothing.findings.push_back(pins_not_kept(material.drawing, material.pins));
+    return nothing;
+  }
   nothing.findings.push_back(make_error(Category::Geometry, "E_NO_OUTLINE",
                                         "The drawing's lines enclose nothing: draw the outline of something"));
   return nothing;
+}
+
+/// Ends that are pinned but aren't found stay so: the reading is compared with the pins at its end.
+void apply_pins(const Material& material, ReadingProgram& program) {
+  for (const auto& [pair, joined] : material.pins) {
+    std::vector<Index> found;
+    for (Index e = 0; e < material.connections.ends.size(); ++e) {
+      const LineEnd& end = material.connections.ends[e];
+      const StrokeEnd own{material.sampled.strokes[end.stroke].stroke, end.at_start};
+      if (std::ranges::count(pair, own) > 0) found.push_back(e);
+    }
+    if (found.size() == pair.size()) program.pin(found.front(), found.back(), joined);
+  }
 }
 
 /// Finds the best reading of a drawing that can be labelled: what its strokes are, which of their ends meet, what they
@@ -389,9 +401,11 @@ LabelledDrawing nothing_read(const Material& material, const ReadingProgram& pro
 /// Readings are tried from the cheapest on (reading_program.h); one whose contours can't be labelled is excluded with
 /// what its errors name. After some, only what the lines enclose is taken, with all lines in it as details: that can
 /// always be labelled. Bounds are counts.
+/// @param cheapest only the first one is tried
 /// @throws Error when nothing can be labelled
-LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Progress& progress) {
-  Material material{drawing, options, {}, {}, {}};
+LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, const std::vector<PinnedEnds>& pins,
+                             Progress& progress, bool cheapest = false) {
+  Material material{drawing, options, {}, {}, {}, pins};
   sample(material);
   if (material.sampled.strokes.empty()) {  // only tubes
     LabelledDrawing labelled = label_reading(material, {}, progress);
@@ -401,6 +415,7 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
   material.connections = find_connections(material.sampled.strokes, material.sampled.scale, progress);
   progress.report(0.2);
   ReadingProgram program(material.sampled.strokes, material.connections, material.envelope);
+  apply_pins(material, program);
   std::optional<LabelledDrawing> first, with_losses;
   std::map<std::vector<Index>, int> failed;
   for (int tried = 0; tried < most_readings + 2; ++tried) {
@@ -408,16 +423,19 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
     if (tried == most_readings) program.allow_regions_only();
     if (tried == most_readings + 1) program.forbid(LineKind::Tube);
     const std::optional<Reading> reading = program.best();
+    if (!reading && cheapest) throw Error(nothing_read(material, program).findings);
     if (!reading) continue;
     LabelledDrawing labelled = label_reading(material, *reading, progress);
     append(left_out(material, *reading), labelled.findings);
     if (!has_errors(labelled.findings) && !labelled.figures.empty()) {
       const std::vector<Index> lost = lost_details(material, *reading, labelled);
       if (lost.empty()) return labelled;
+      if (cheapest) throw Error(pins_not_kept(drawing, material.pins));
       for (const Index s : lost) program.forbid_loss(s);
       if (!with_losses) with_losses = std::move(labelled);
       continue;
     }
+    if (cheapest) throw Error(labelled.findings);
     for (const auto& [strokes, crossing] : faults_of(material, labelled.findings)) {
       if (crossing && program.exclude_crossing(*reading, strokes.front(), strokes.back(), *crossing)) continue;
       // What fails again and again isn't saved by other connections.
@@ -430,36 +448,30 @@ LabelledDrawing read_drawing(const Drawing& drawing, const Options& options, Pro
                            : first     ? *std::move(first)
                                        : nothing_read(material, program);
   if (result.figures.empty()) throw Error(result.findings);
+  const std::vector<PinnedEnds> lost = pins_lost(material.pins, result);
+  if (!lost.empty()) throw Error(pins_not_kept(drawing, lost));
   return result;
+}
+
+/// Pins that can't be kept any more, since strokes have changed, are named and left out.
+LabelledDrawing read_with_pins(const Drawing& drawing, const Options& options, Progress& progress) {
+  const std::vector<PinnedEnds> pins = pinned_ends(drawing);
+  try {
+    return read_drawing(drawing, options, pins, progress);
+  } catch (const Error&) {
+    if (pins.empty()) throw;
+  }
+  LabelledDrawing without = read_drawing(drawing, options, {}, progress);
+  without.findings.push_back(pins_not_kept(drawing, pins));
+  without.findings.back().code = "W_PIN";
+  without.findings.back().severity = Severity::Warning;
+  return without;
 }
 
 }  // namespace
 
-Drawing swap_overlaps(Drawing drawing, const LabelledDrawing& labelled, const std::vector<Index>& overlaps) {
-  std::vector<Index> crossings;  // per overlap
-  for (const LabelledFigure& figure : labelled.figures) {
-    for (const FigureOverlap& overlap : figure.overlaps) crossings.push_back(overlap.tube_crossing);
-  }
-  for (const Index overlap : overlaps) {
-    const bool known = overlap < crossings.size();
-    if (!known || crossings[overlap] == no_index) {
-      const std::string why =
-          known ? " isn't of two strands of tubes: say by data-behind what lies behind"
-                : " doesn't exist: the drawing has " + counted(crossings.size(), "overlap", "overlaps");
-      const std::string sentence = "The overlap " + std::to_string(overlap) + why + ", counted from 0";
-      throw Error(make_error(Category::Usage, "E_SWAP", sentence, {{SubjectKind::Parameter, "swap", {}, {}, {}}}));
-    }
-    const TubeCrossing& crossing = labelled.tube_crossings[crossings[overlap]];
-    Stroke& stroke = drawing.strokes[crossing.stroke];
-    std::vector<std::string_view> words = over_words(stroke);
-    words.resize(std::max<std::size_t>(words.size(), crossing.word + 1), auto_word);
-    const bool is_over = words[crossing.word] == auto_word ? crossing.over : words[crossing.word] == over_word;
-    words[crossing.word] = is_over ? under_word : over_word;
-    std::string list;
-    for (const std::string_view word : words) list.append(list.empty() ? "" : ",").append(word);
-    stroke.data[over_key] = std::move(list);
-  }
-  return drawing;
+LabelledDrawing label_cheapest(const Drawing& drawing, const Options& options, Progress& progress) {
+  return read_drawing(drawing, options, pinned_ends(drawing), progress, true);
 }
 
 LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& progress) {
@@ -471,9 +483,9 @@ LabelledDrawing label(const Drawing& drawing, const Options& options, Progress& 
   const auto labelled = cached<LabelledDrawing>(
       options.cache, "silhouette labels", key,
       [&] {
-        LabelledDrawing read = read_drawing(drawing, options, progress);
+        LabelledDrawing read = read_with_pins(drawing, options, progress);
         if (options.swaps.empty()) return read;
-        return read_drawing(swap_overlaps(drawing, read, options.swaps), options, progress);
+        return read_with_pins(swap_overlaps(drawing, read, options.swaps), options, progress);
       },
       [](const LabelledDrawing& result) { return bytes_of(result); });
   progress.report(1);

@@ -30,8 +30,9 @@ std::string_view without_spaces(std::string_view text) {
   return text;
 }
 
-/// The parts of a list in a stroke's data; views of it. None where it has no such data.
-std::vector<std::string_view> list_of(const Stroke& stroke, const char* key) {
+}  // namespace
+
+std::vector<std::string_view> data_list(const Stroke& stroke, const char* key) {
   std::vector<std::string_view> list;
   const auto found = stroke.data.find(key);
   if (found == stroke.data.end()) return list;
@@ -41,8 +42,6 @@ std::vector<std::string_view> list_of(const Stroke& stroke, const char* key) {
   }
   return list;
 }
-
-}  // namespace
 
 bool has_far_copy(const std::map<std::string, std::string>& data) {
   const auto found = data.find(copy_key);
@@ -60,7 +59,7 @@ std::optional<TubeEnds> tube_ends(std::string_view word) {
   return std::nullopt;
 }
 
-std::vector<std::string_view> over_words(const Stroke& stroke) { return list_of(stroke, over_key); }
+std::vector<std::string_view> over_words(const Stroke& stroke) { return data_list(stroke, over_key); }
 
 std::optional<StrokeKind> stroke_kind(const Stroke& stroke) {
   const auto found = stroke.data.find(kind_key);
@@ -80,7 +79,7 @@ std::string to_string(StrokeKind kind) {
   return std::string(found->second);
 }
 
-std::vector<std::string_view> behind_ids(const Stroke& stroke) { return list_of(stroke, behind_key); }
+std::vector<std::string_view> behind_ids(const Stroke& stroke) { return data_list(stroke, behind_key); }
 
 bool is_set_behind(const Stroke& later, const Stroke& earlier) {
   const std::vector<std::string_view> ids = behind_ids(later);

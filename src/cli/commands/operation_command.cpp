@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "cli/command.h"
+#include "cli/commands/alternatives.h"
 #include "cli/commands/follow_ups.h"
 #include "cli/files.h"
 #include "cli/mesh_text.h"
@@ -362,18 +363,6 @@ std::string summary(const CommandResult& result) {
   return text;
 }
 
-/// The details' sentence, and their lists as tables.
-std::string list_text(const Report& details) {
-  std::string text;
-  for (const auto& [key, value] : details.as_object()) {
-    const auto* words = std::get_if<std::string>(&value.value());
-    const auto* rows = std::get_if<Report::Array>(&value.value());
-    const std::string part = words != nullptr ? *words : rows != nullptr ? report_table(value) : "";
-    if (!part.empty()) text += (text.empty() ? "" : "\n") + part;
-  }
-  return text;
-}
-
 /// An example where the program writes STEP files, else the reason why it doesn't.
 void add_step(const std::string& call, CommandDescription& description) {
   const std::string why = why_no_step();
@@ -442,6 +431,7 @@ CommandDescription describe_command(const OperationDescription& operation, const
     const auto options = options_of(follow_up);
     description.parameters.insert(description.parameters.end(), options.begin(), options.end());
   }
+  if (has_readings(operation)) description.parameters.push_back(alternatives_option());
   const std::string call = "croquis-cli " + operation.id + ' ' + example_input(input);
   const std::string options = operation.example.empty() ? "" : " " + operation.example;
   description.examples = {call + options + " -o solid.obj"};
@@ -453,18 +443,21 @@ CommandDescription describe_command(const OperationDescription& operation, const
   return description;
 }
 
-void run_operation(const Operation& operation, const std::vector<FollowUp>& follow_ups, const Invocation& invocation,
+void run_operation(const Operation& operation, const std::vector<FollowUp>& follow_ups, const Invocation& typed,
                    CommandResult& result, Progress& progress) {
   const OperationDescription& description = operation.describe();
+  const std::optional<std::size_t> asked = asked_readings(description, typed);
+  Invocation invocation = typed;
+  if (asked) invocation.output = numbered_path(typed.output, 1);
   check_files(description, follow_ups, invocation);
   Progress reading = progress.step("read", 0.05);
   const Values inputs = read_values(description, invocation, result, reading);
 
-  Progress computing = progress.step(description.id, 0.85);
+  Progress computing = progress.step(description.id, asked ? 0.3 : 0.85);
   Context context{computing};
   context.threads = static_cast<int>(invocation.threads);
-  OperationResult computed =
-      croquis::run(operation, inputs, operation_parameters(description, invocation, inputs), context);
+  const ParameterValues parameters = operation_parameters(description, invocation, inputs);
+  OperationResult computed = croquis::run(operation, inputs, parameters, context);
   result.warnings.insert(result.warnings.end(), computed.warnings.begin(), computed.warnings.end());
 
   const auto details = computed.outputs.find(details_output);
@@ -479,6 +472,10 @@ void run_operation(const Operation& operation, const std::vector<FollowUp>& foll
     const Computed all{inputs, computed.outputs, camera_among(computed.outputs)};
     stage_outputs(description, invocation, all, result, writing);
     stage_follow_ups(follow_ups, invocation, all, result, writing);
+    if (asked) {
+      Progress others = progress.step("alternatives", 0.55);
+      stage_alternatives({operation, inputs, parameters}, *asked, typed, result, others);
+    }
     result.text = result.files.empty() && asks(description, invocation) ? list_text(*result.details) : summary(result);
   }
   progress.report(1);

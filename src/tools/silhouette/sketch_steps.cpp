@@ -70,8 +70,17 @@ void StrokeReading::describe(Fields& fields) {
       "one of \"kind\", \"in-front-of\", \"thickness\", \"title\", \"copy\", \"over\", \"fill\" and \"mirror\" is set");
 }
 
+void ReadingChosen::describe(Fields& fields) {
+  std::vector<std::string> words;
+  for (const auto& row : says) words.insert(words.end(), row.begin(), row.end());
+  fields.required("says", words);
+  if (!fields.reads()) return;
+  fields.require(words.size() % 3 == 0, "\"says\" must be a stroke, a key and a value, and so on");
+  for (std::size_t i = 0; i < words.size(); i += 3) says.push_back({words[i], words[i + 1], words[i + 2]});
+}
+
 const Vocabulary& sketch_steps() {
-  static const Vocabulary vocabulary = vocabulary_of<StrokeDrawn, Drag, StrokeReading>(
+  static const Vocabulary vocabulary = vocabulary_of<StrokeDrawn, Drag, StrokeReading, ReadingChosen>(
       {"strokes", "strokes-behind", "inner-holes", "inner-parts", "crossings-in-view", "joined-pairs", "resting-pairs",
        "details", "tubes", "left-out"});
   return vocabulary;

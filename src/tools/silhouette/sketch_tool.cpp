@@ -399,4 +399,10 @@ const StrokeFit* SketchTool::fit(const std::string& id) {
   return &kept.fit;
 }
 
+void read_as(Session& session, NodeId node, const recorded::ReadingChosen& reading) {
+  const auto drawing = source_of<Drawing>(session.document().find(node));
+  if (!drawing) refuse_stroke(reading.says.empty() ? "" : reading.says.front().front());
+  session.edit("Choose a reading", with_edit(session.document(), node, set_data(*drawing, reading.says), {}));
+}
+
 }  // namespace croquis

@@ -166,6 +166,7 @@ std::vector<Stroke> rests_of(const Stroke& stroke, const std::vector<Stretch>& e
     const auto kind = silhouette::stroke_kind(stroke);
     const bool was_inner = kind == silhouette::StrokeKind::Part || kind == silhouette::StrokeKind::Hole;
     if (was_inner) rest.data.erase(silhouette::kind_key);  // only of closed outlines
+    for (const char* key : {silhouette::joined_key, silhouette::apart_key}) rest.data.erase(key);
     left += piece;
     rests.push_back(std::move(rest));
   }
@@ -210,6 +211,7 @@ DrawingEdit erase_along(const Drawing& drawing, const std::vector<Vec2>& path, d
     auto place = old - edit.drawing.strokes.begin();
     *old = std::move(rests.front());
     edit.changed.push_back(stroke.id);
+    forget_ends(edit.drawing, stroke.id);
     for (std::size_t i = 1; i < rests.size(); ++i) {
       rests[i].id = new_stroke_id(edit.drawing);
       edit.added.push_back(rests[i].id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "croquis/geometry/drawing.h"
@@ -15,5 +16,8 @@ inline std::vector<Vec2> places_of(std::span<const StrokeSample> samples) {
   for (const StrokeSample& sample : samples) places.push_back(sample.position);
   return places;
 }
+
+/// Takes away what is said of the ends of a stroke, by itself and by others: they are elsewhere, or gone.
+void forget_ends(Drawing& drawing, const std::string& id);
 
 }  // namespace croquis

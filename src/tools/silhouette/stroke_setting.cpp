@@ -8,6 +8,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/parameter.h"
 #include "croquis/base/text.h"
+#include "tools/silhouette/stroke_places.h"
 
 namespace croquis {
 namespace {
@@ -64,9 +65,23 @@ std::string said_of_part(const Drawing& drawing, const std::string& id, const ch
 
 }  // namespace
 
+void forget_ends(Drawing& drawing, const std::string& id) {
+  for (Stroke& stroke : drawing.strokes) {
+    for (const char* key : {silhouette::joined_key, silhouette::apart_key}) {
+      std::string left;
+      for (const std::string_view entry : silhouette::data_list(stroke, key)) {
+        const bool names = entry.find(' ' + id + ' ') != std::string_view::npos;
+        if (stroke.id != id && !names) left.append(left.empty() ? "" : ", ").append(entry);
+      }
+      set_entry(stroke.data, key, left);
+    }
+  }
+}
+
 DrawingEdit set_kind(const Drawing& drawing, const std::string& id, silhouette::StrokeKind kind) {
   DrawingEdit edit{drawing, {}, {id}, {}};
   const bool given = kind != silhouette::StrokeKind::Visible;
+  if (!given) forget_ends(edit.drawing, id);
   set_entry(stroke_of(edit.drawing, id).data, silhouette::kind_key, given ? silhouette::to_string(kind) : "");
   return edit;
 }
@@ -144,6 +159,16 @@ DrawingEdit set_mirror(const Drawing& drawing, const std::string& id, const std:
 
 std::string fill_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::fill_key);
+}
+
+
+DrawingEdit set_data(const Drawing& drawing, const std::vector<std::array<std::string, 3>>& says) {
+  DrawingEdit edit{drawing, {}, {}, {}};
+  for (const auto& [id, key, value] : says) {
+    set_entry(stroke_of(edit.drawing, id).data, key, value);
+    if (std::ranges::count(edit.changed, id) == 0) edit.changed.push_back(id);
+  }
+  return edit;
 }
 
 std::string title_of(const Drawing& drawing, const std::string& id) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -53,6 +54,15 @@ struct StrokeReading {
   std::optional<std::string> fill = {};    ///< "#rrggbb", of the part that it bounds; empty: none
 
   static constexpr std::array verbs{"stroke-set"};
+  void describe(Fields& fields);
+};
+
+/// Another reading of the whole drawing was chosen: what strokes say of themselves then.
+struct ReadingChosen {
+  /// A stroke's id, a key of its data and the value there; an empty value takes it away. At least one.
+  std::vector<std::array<std::string, 3>> says;
+
+  static constexpr std::array verbs{"read-as"};
   void describe(Fields& fields);
 };
 

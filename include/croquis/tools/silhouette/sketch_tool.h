@@ -131,4 +131,8 @@ class SketchTool {
   std::map<std::string, KeptFit> fits_;
 };
 
+/// Says of several strokes of a drawing at once how it is to be read, as one undo step.
+/// @throws Error (E_INPUT) when there is no such stroke
+void read_as(Session& session, NodeId node, const recorded::ReadingChosen& reading);
+
 }  // namespace croquis

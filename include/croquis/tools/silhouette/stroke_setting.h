@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "croquis/silhouette/stroke_data.h"
 #include "croquis/tools/silhouette/stroke_edit.h"
@@ -50,6 +52,11 @@ DrawingEdit set_mirror(const Drawing& drawing, const std::string& id, const std:
 
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string fill_of(const Drawing& drawing, const std::string& id);
+
+/// Sets data of several strokes.
+/// @param says a stroke's id, a key and the value there; an empty value takes it away
+/// @throws Error (E_INPUT) when there is no such stroke
+DrawingEdit set_data(const Drawing& drawing, const std::vector<std::array<std::string, 3>>& says);
 
 /// What was set; empty where nothing was, and for an unknown stroke.
 std::string title_of(const Drawing& drawing, const std::string& id);

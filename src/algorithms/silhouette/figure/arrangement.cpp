@@ -111,7 +111,10 @@ Index append_completion(const ChosenEnds& ends, Index leaving, ContourPath& path
   piece.raw = piece.points;
   piece.segments.assign(piece.points.size(), {false, false, stroke, no_index, choice, 0, {}});
   append_piece(piece, path);
-  result.completions.push_back({std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost()});
+  EndPair joined{stroke_end(ends.context, ends.end(leaving)), stroke_end(ends.context, ends.end(arriving))};
+  std::ranges::sort(joined);
+  result.completions.push_back(
+      {std::move(piece.points), static_cast<Index>(result.paths.size()), candidate.cost(), joined});
   return arriving;
 }
 
@@ -312,6 +315,15 @@ void wind(Arrangement& arrangement) {
 }
 
 }  // namespace
+
+StrokeEnd stroke_end(const FigureContext& context, const HiddenEnd& end) {
+  const CleanLine& line = context.lines[end.line];
+  const Index stroke = line.end_stroke(end.at_start);
+  if (line.strokes.size() == 1) return {stroke, end.at_start};
+  const std::vector<StrokeSample>& samples = context.drawing.strokes[stroke].samples;
+  const auto miss = [&](const StrokeSample& sample) { return (sample.position - end.at).norm(); };
+  return {stroke, miss(samples.front()) <= miss(samples.back())};
+}
 
 Arrangement close_contours(const FigureContext& context, const PartLines& part,
                            const std::vector<ChosenCompletion>& chosen) {

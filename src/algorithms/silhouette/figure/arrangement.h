@@ -8,6 +8,7 @@
 #include "algorithms/silhouette/figure/contour_completion.h"
 #include "croquis/geometry/drawing.h"
 #include "croquis/silhouette/labelled_figure.h"
+#include "croquis/silhouette/stroke_data.h"
 
 /// Contours are closed by the hidden pieces that are chosen, crossed with one another, and bound faces.
 namespace croquis::silhouette {
@@ -20,7 +21,11 @@ struct FigureContext {
   const std::vector<CleanLine>& lines;  ///< carried on behind their bars
   const Junctions& junctions;
   const VisibleCrossings& order;
+  std::vector<PinnedEnds> pins{};
 };
+
+/// The end of a stroke that the end of a line is.
+StrokeEnd stroke_end(const FigureContext& context, const HiddenEnd& end);
 
 /// The lines, ends and candidates of one part of a drawing.
 struct PartLines {

@@ -38,6 +38,19 @@ using Lines = std::vector<Index>;
 /// Indices of the candidates that are taken.
 using Matching = std::vector<Index>;
 
+/// Leaves out candidates that the drawing's pins exclude.
+void leave_pinned(const FigureContext& context, PartLines& part) {
+  std::vector<StrokeEnd> ends;
+  for (const Index end : part.ends) ends.push_back(stroke_end(context, context.junctions.ends[end]));
+  for (const auto& [pair, joined] : context.pins) {
+    std::erase_if(part.candidates, [&](const CompletionCandidate& candidate) {
+      const auto is_pinned = [&](Index end) { return std::ranges::count(pair, ends[end]) > 0; };
+      const bool both = is_pinned(candidate.a) && is_pinned(candidate.b);
+      return joined ? !both && (is_pinned(candidate.a) || is_pinned(candidate.b)) : both;
+    });
+  }
+}
+
 PartLines part_of(const FigureContext& context, const std::vector<Lines>& units, const CompletionOptions& options) {
   PartLines part;
   for (const Lines& unit : units) part.lines.insert(part.lines.end(), unit.begin(), unit.end());
@@ -46,7 +59,22 @@ PartLines part_of(const FigureContext& context, const std::vector<Lines>& units,
     if (std::ranges::binary_search(part.lines, context.junctions.ends[e].line)) part.ends.push_back(e);
   }
   part.candidates = completion_candidates(context.lines, context.junctions, part.ends, options);
+  leave_pinned(context, part);
   return part;
+}
+
+/// What the drawing says lies behind what comes before what is cheapest: where nothing seen shows it.
+void order_as_set(const FigureContext& context, Arrangement& arrangement) {
+  for (ContourCrossing& crossing : arrangement.contour_crossings) {
+    const auto& [a, b] = crossing.strands;
+    const auto is_behind = [&](const ContourCrossing::Strand& one, const ContourCrossing::Strand& other) {
+      return is_set_behind(context.drawing, arrangement.contours[one.contour].strokes,
+                           arrangement.contours[other.contour].strokes);
+    };
+    if (crossing.over != no_index || a.contour == b.contour) continue;
+    if (is_behind(a, b)) crossing.over = 1;
+    if (is_behind(b, a)) crossing.over = 0;
+  }
 }
 
 /// @param may_leave_out ends; then the first edges stand for those
@@ -76,6 +104,7 @@ Arrangement arrange(const FigureContext& context, const PartLines& part, const s
   Arrangement result;
   for (const double merging : mergings) {
     result = cross_contours(closed, context.order, context.scale.step, merging);
+    order_as_set(context, result);
     if (refuse && label_arrangement(result, LabellingRules::Full).side.empty()) break;
     find_faces(result);
     if (result.conflicts.empty()) break;
@@ -265,6 +294,14 @@ std::vector<Index> units_of_lines(const FigureContext& context) {
   for (const HiddenEnd& end : context.junctions.ends) joined.unite(end.line, end.bar);
   for (const GivenPiece& given : context.junctions.given) {
     joined.unite(context.junctions.ends[given.from].line, context.junctions.ends[given.to].line);
+  }
+  for (const auto& [pair, together] : context.pins) {
+    Index first = no_index;
+    for (const HiddenEnd& end : context.junctions.ends) {
+      if (!together || std::ranges::count(pair, stroke_end(context, end)) == 0) continue;
+      if (first != no_index) joined.unite(first, end.line);
+      first = end.line;
+    }
   }
   std::map<std::string, Index> first_of_object;
   std::map<Index, Index> first_of_tube;

@@ -147,7 +147,8 @@ void add_labels(const Labelling& labelling, Arrangement& figure) {
     const auto& strands = figure.contour_crossings[k].strands;
     const ContourCrossing::Strand& over = strands[labelling.is_swapped[k]];
     const ContourCrossing::Strand& under = strands[1 - labelling.is_swapped[k]];
-    figure.crossings.push_back({k, over.contour, over.position, under.contour, under.position});
+    const bool seen = figure.contour_crossings[k].over != no_index;
+    figure.crossings.push_back({k, over.contour, over.position, under.contour, under.position, seen});
   }
 }
 

@@ -269,6 +269,7 @@ void add_connections(const Candidates& from, IntegerProgram& program, ReadingVar
     const bool is_limb = from.stroke_of(pair.b) == stroke;
     const Sides taken = add_pair(pair, is_limb ? features[stroke].cost_as_outline() : 0, hidden);
     // The surface of a limb lies in what its line goes round.
+    variables.hidden.push_back(taken);
     if (is_limb) program.fix(taken[signed_area(from.strokes[stroke].points) > 0 ? on_right : on_left], 0);
   }
   for (auto* rows : {&visible, &hidden}) {
@@ -312,6 +313,30 @@ ReadingProgram::ReadingProgram(const std::vector<SampledStroke>& strokes, const 
   add_connections(from, program_, variables_);
 }
 
+void ReadingProgram::pin(Index a, Index b, bool joined) {
+  std::vector<Term> taken;
+  bool may_be_hidden = false;
+  const auto add = [&](const std::vector<EndJoin>& pairs, const std::vector<Sides>& variables) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (pairs[i].a != std::min(a, b) || pairs[i].b != std::max(a, b)) continue;
+      add_terms(variables[i], 1, taken);
+      may_be_hidden = may_be_hidden || &pairs == &connections_.hidden;
+    }
+  };
+  add(connections_.joins, variables_.join);
+  add(connections_.hidden, variables_.hidden);
+  if (!joined || may_be_hidden) {
+    if (!taken.empty()) program_.add_row(std::move(taken), joined ? 1 : 0, joined ? 1 : 0);
+    return;
+  }
+  // Only the likeliest hidden pairs are among the candidates: contours of this one are completed all the same.
+  for (const Index end : {a, b}) {
+    std::vector<Term> contour;
+    add_terms(variables_.of(stroke_of(end), LineKind::Contour), 1, contour);
+    program_.add_row(std::move(contour), 1, 1);
+  }
+}
+
 std::optional<Reading> ReadingProgram::best() {
   const int nodes = std::clamp(maximum_nodes - nodes_, least_nodes, maximum_reading_nodes);
   const IntegerProgram::Solution solution = program_.solve(nodes, reading_gap, variables_.kinds_end);
@@ -327,7 +352,8 @@ std::optional<Reading> ReadingProgram::best() {
     }
     return taken;
   };
-  Reading reading{{}, taken_of(variables_.join), taken_of(variables_.meeting), taken_of(variables_.region)};
+  Reading reading{
+      {}, taken_of(variables_.join), taken_of(variables_.meeting), taken_of(variables_.region), solution.cost};
   for (const auto& kinds : variables_.kind) {
     reading.kinds.push_back(static_cast<LineKind>(std::ranges::find_if(kinds, is_taken) - kinds.begin()));
   }

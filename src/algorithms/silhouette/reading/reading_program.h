@@ -29,6 +29,7 @@ struct Reading {
   std::vector<Index> joins;     ///< of contours: each end is in one of these,
   std::vector<Index> meetings;  ///< or in one of those
   std::vector<Index> regions;
+  double cost = 0;
 };
 
 /// What the program's variables stand for.
@@ -37,10 +38,10 @@ struct ReadingVariables {
   /// With the surface on the left, and on the right; twice the same of what doesn't bound a surface on one side.
   using Sides = std::array<Index, 2>;
 
-  std::vector<std::array<Sides, kind_count>> kind{};  ///< per stroke
-  Index kinds_end = 0;                                ///< the first variable after those of kinds
-  std::vector<Sides> join{}, meeting{}, region{};     ///< per candidate
-  std::vector<Index> open{};                          ///< per stroke: its line has hidden ends; empty until it matters
+  std::vector<std::array<Sides, kind_count>> kind{};         ///< per stroke
+  Index kinds_end = 0;                                       ///< the first variable after those of kinds
+  std::vector<Sides> join{}, meeting{}, hidden{}, region{};  ///< per candidate
+  std::vector<Index> open{};  ///< per stroke: its line has hidden ends; empty until it matters
 
   const Sides& of(Index stroke, LineKind line) const { return kind[stroke][static_cast<std::size_t>(line)]; }
 };
@@ -57,6 +58,9 @@ class ReadingProgram {
  public:
   /// Strokes and connections must outlive the program.
   ReadingProgram(const std::vector<SampledStroke>& strokes, const Connections& connections, const Envelope& envelope);
+
+  /// Two ends are one line, in full view or behind something, or aren't. Positions among the connections' ends.
+  void pin(Index a, Index b, bool joined);
 
   /// The best reading that isn't excluded; none when there is no other, or the search for it is bounded.
   std::optional<Reading> best();

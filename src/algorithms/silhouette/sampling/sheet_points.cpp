@@ -213,7 +213,7 @@ std::vector<std::vector<double>> crossing_splits(const LabelledFigure& figure, c
     }
   };
   for (const FigureCrossing& crossing : figure.crossings) {
-    const auto& [vertex, over, over_position, under, under_position] = crossing;
+    const auto& [vertex, over, over_position, under, under_position, seen] = crossing;
     split(under, under_position, over, over_position);
     split(over, over_position, under, under_position);
   }

@@ -8,6 +8,7 @@
 
 #include "croquis/base/finding.h"
 #include "croquis/geometry/drawing.h"
+#include "croquis/silhouette/stroke_data.h"
 
 /// Subjects and phrases of findings about a drawing. Places are in the input's own frame: y down.
 namespace croquis::silhouette {
@@ -37,6 +38,9 @@ inline Finding no_solid(const std::string& why, std::vector<Subject> subjects) {
   return make_error(Category::Geometry, "E_NO_LABELLING",
                     "No solid looks like this: " + why + "; check what passes behind what there", std::move(subjects));
 }
+
+/// E_PIN: no reading keeps what is set for ends.
+Finding pins_not_kept(const Drawing& drawing, const std::vector<PinnedEnds>& pins);
 
 /// W_TINY.
 inline Finding too_short(const Drawing& drawing, Index stroke) {

@@ -320,6 +320,15 @@ std::optional<bool> hole_by_kind(const Drawing& drawing, const std::vector<Index
   return std::nullopt;
 }
 
+bool is_set_behind(const Drawing& drawing, const std::vector<Index>& strokes, const std::vector<Index>& others) {
+  return std::ranges::any_of(strokes, [&](Index s) {
+    const std::vector<std::string_view> ids = behind_ids(drawing.strokes[s]);
+    return !ids.empty() && std::ranges::any_of(others, [&](Index other) {
+      return std::ranges::count(ids, drawing.strokes[other].id) > 0;
+    });
+  });
+}
+
 void lead_into_neighbours(std::vector<CleanLine>& lines, const DrawingScale& scale) {
   if (scale.reach_share <= 0) return;
   const std::vector<Index> thing = things_of(lines, scale);

@@ -28,6 +28,9 @@ bool is_hole_of_ring(const Points& inner, const Points& outer, std::size_t thing
 /// @param strokes indices into Drawing::strokes
 std::optional<bool> hole_by_kind(const Drawing& drawing, const std::vector<Index>& strokes);
 
+/// Whether one of some strokes is set to lie behind one of others, by its id.
+bool is_set_behind(const Drawing& drawing, const std::vector<Index>& strokes, const std::vector<Index>& others);
+
 /// Leads closed lines into larger ones that they lie beside, no farther than hands miss by, where nothing ends
 /// at them or crosses them: a head that was drawn next to its body grows out of it. Lines that lie within others stay,
 /// and so do all where tolerances don't go by size. O(n) for evenly spread samples.

@@ -70,7 +70,9 @@ ObjectRow row_of(const Body& body) {
 }
 
 /// What replays can ask of sketches.
-void add_counts(Replays& replays, const Studio& studio) {
+void add_counts(Replays& replays, Studio& studio, const SketchTool& tool) {
+  replays.on<recorded::ReadingChosen>(
+      [&](const recorded::ReadingChosen& step) { read_as(studio.session(), tool.node(), step); });
   // The sketch's solid counts as the bodies that it has.
   replays.counts["objects"] = [&studio](const std::string&) {
     std::size_t count = 0;
@@ -172,6 +174,26 @@ QString body_of(const Studio& studio, const NodeFinding& found) {
   return body == nullptr ? QString() : body->name;
 }
 
+/// The strip of other readings, which changes the tool's drawing.
+ReadingStrip* make_readings(ToolHost& host, const SketchTool& tool, SilhouetteTool& owner) {
+  auto* strip = new ReadingStrip(host);
+  QObject::connect(strip, &ReadingStrip::size_changed, &owner, [&owner] { emit owner.changed(SketchView); });
+  QObject::connect(strip, &ReadingStrip::chosen, &owner, [&](const recorded::ReadingChosen& reading) {
+    read_as(host.studio().session(), tool.node(), reading);
+    emit owner.committed(reading);
+  });
+  return strip;
+}
+
+/// Where there is no solid, Tab goes to the next field as it does everywhere.
+void offer_readings(ToolHost& host, ReadingStrip& strip, bool has_view, ToolKeys& keys) {
+  const Studio& studio = host.studio();
+  const bool has_solid = has_view && studio.solid_node() != 0 && !studio.drawing().strokes.empty();
+  host.action("readings")->setEnabled(has_solid);
+  keys.pressed.erase(Qt::Key_Tab);
+  if (has_solid) keys.pressed[Qt::Key_Tab] = [&strip] { strip.open(); };
+}
+
 QString help_of(SketchMode mode, bool has_strokes, bool tubes) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   if (tubes)
@@ -190,6 +212,7 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
     : Tool(host, "Drawing"),
       tool_(host.studio().session(), host.studio().tool_options()),
       chips_(host.studio(), tool_, host.viewport()),
+      readings_(make_readings(host, tool_, *this)),
       hint_(make_chip_label(host.viewport(), hint_style)) {
   host.viewport().objects().set_painter(paint_of_bodies);
   hint_->setObjectName("hint");
@@ -198,13 +221,13 @@ SilhouetteTool::SilhouetteTool(ToolHost& host)
 }
 
 void SilhouetteTool::make_actions(ActionList& actions) {
-  add_sketch_actions(host(), tool_, chips_, tube_share_, actions);
+  add_sketch_actions(host(), tool_, chips_, *readings_, tube_share_, actions);
   connect(host().action("symmetric-drawing"), &QAction::triggered, this, [this] { follow(Change::Document); });
 }
 
 void SilhouetteTool::refresh() {
-  const WorkObject* object = studio().active();
-  const bool mesh = object != nullptr && object->cage != 0;
+  const bool mesh = studio().active() != nullptr && studio().active()->cage != 0;
+  offer_readings(host(), *readings_, has_view(SketchView), keys);
   host().action("mirror-strokes")->setEnabled(has_view(SketchView) && !tool_.selected().empty());
   for (const char* name : {"far-copy", "part-colour"})
     host().action(name)->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
@@ -299,7 +322,7 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
 ToolState SilhouetteTool::state() const {
   const SketchPreview& preview = tool_.preview();
   if (inking()) return {.ink = Ink{SketchView, &preview.ink, preview.behind}};
-  return {.beside_pointer = preview.moved ? way_text(*preview.moved, studio()) : QString()};
+  return {.busy = readings_->busy(), .beside_pointer = preview.moved ? way_text(*preview.moved, studio()) : QString()};
 }
 
 std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
@@ -315,6 +338,7 @@ void SilhouetteTool::place_chips(ChipPlaces& places) {
     hint_->hide();
   }
   chips_.place(places, has_view(SketchView) && !down());
+  readings_->place(pane, has_view(SketchView) && !down());
 }
 
 void SilhouetteTool::follow(Change change) {
@@ -400,7 +424,7 @@ void SilhouetteTool::make_replays(Replays& replays) {
                    modifiers_of(box.modifiers), 0);
     return true;
   });
-  add_counts(replays, studio());
+  add_counts(replays, studio(), tool_);
 }
 
 std::vector<ObjectRow> SilhouetteTool::rows(const WorkObject& object, NodeId node) {

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 
+#include "app/tools/silhouette/reading_strip.h"
 #include "app/tools/silhouette/sketch_chips.h"
 #include "app/tools/silhouette/sketch_scene.h"
 #include "app/tools/tool.h"
@@ -62,6 +63,7 @@ class SilhouetteTool final : public Tool {
   SketchTool tool_;
   SketchScene scene_;
   SketchChips chips_;
+  ReadingStrip* readings_;
   QLabel* hint_;
   double tube_share_ = 0.02;                     ///< radius of tubes drawn, of the view's diagonal
   QString under_pointer_;                        ///< the sentences of the findings whose marks are there

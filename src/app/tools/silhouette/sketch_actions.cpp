@@ -8,6 +8,7 @@
 
 #include "app/tools/action_rows.h"
 #include "app/tools/silhouette/part_names.h"
+#include "app/tools/silhouette/reading_strip.h"
 #include "app/tools/silhouette/silhouette_tool.h"
 #include "croquis/base/text.h"
 #include "croquis/silhouette/stroke_data.h"
@@ -89,7 +90,8 @@ void mirror_strokes(const Drawing& drawing, double axis, const SketchTool& tool,
 
 }  // namespace
 
-void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, double& tube_share, ActionList& actions) {
+void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, ReadingStrip& readings,
+                        double& tube_share, ActionList& actions) {
   const auto tr = [](const char* text) { return SilhouetteTool::tr(text); };
   QMenu* added = actions.menu(MenuId::Create)->addMenu(tr("Sketch"));
   const auto add_plane = [&](const QString& name, const QString& text, const QList<QKeySequence>& keys,
@@ -108,6 +110,8 @@ void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, do
   actions.add(
       sketch, "far-copy", tr("Second one on the far side"), {QKeySequence("C")},
       [&] { copy_to_far_side(host.studio(), tool, chips); }, Recorded::ByItself);
+  actions.add(
+      sketch, "readings", tr("Other readings"), {}, [&readings] { readings.open(); }, Recorded::ByItself);
   actions.add(
       sketch, "part-colour", tr("Colour of part…"), {},
       [&] { color_parts(host.viewport(), host.studio().drawing(), tool, chips); }, Recorded::ByItself);

@@ -7,8 +7,11 @@
 
 namespace croquis::app {
 
+class ReadingStrip;
+
 /// What menus and keys do with a sketch.
 /// @param tube_share that a choice is written to, of the view's diagonal
-void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, double& tube_share, ActionList& actions);
+void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, ReadingStrip& readings,
+                        double& tube_share, ActionList& actions);
 
 }  // namespace croquis::app
