@@ -229,7 +229,7 @@ std::optional<double> common_mirror(const Drawing& drawing, const Solid& solid) 
     }
   }
   double axis = 0;
-  return read_number(words, axis) ? std::optional(axis) : std::nullopt;
+  return croquis::read_number(words, axis) ? std::optional(axis) : std::nullopt;
 }
 
 /// Per object the one that its mirror image belongs to: itself where its strokes have no twins.

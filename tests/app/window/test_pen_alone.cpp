@@ -9,12 +9,14 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QTabletEvent>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include <catch2/catch.hpp>
 
-#include "app/dialogs.h"
 #include "app/hole_scans.h"
 #include "app/tools/surface/surface_drawing_tool.h"
 #include "support/perspective/solid_drawing.h"
@@ -95,9 +97,18 @@ class PenAlone : public StudioFixture {
     settle();
   }
 
+  /// Answers the next file dialog, however long the menus take until then.
+  void in_file_dialog(std::function<void(QFileDialog&)> answer) {
+    constexpr int again_ms = 50;
+    QTimer::singleShot(again_ms, qApp, [this, answer = std::move(answer)]() mutable {
+      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) return answer(*dialog);
+      in_file_dialog(std::move(answer));
+    });
+  }
+
   /// Opens the file of that name through the dialog of File > Open.
   void open(const QString& path) {
-    in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+    in_file_dialog([&](QFileDialog& dialog) {
       dialog.selectFile(path);
       tap(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open));
     });
@@ -107,7 +118,7 @@ class PenAlone : public StudioFixture {
   /// Saves under the name that the dialog proposes. @return the file
   QString exported() {
     QString path;
-    in_dialog<QFileDialog>([&](QFileDialog& dialog) {
+    in_file_dialog([&](QFileDialog& dialog) {
       path = dialog.selectedFiles().value(0);
       tap(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
     });
