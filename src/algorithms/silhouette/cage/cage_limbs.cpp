@@ -22,6 +22,8 @@ constexpr double branch_reach = 1.5;
 constexpr int cap_steps = 8;
 /// A limb between junctions that is shorter than so many rings has none: the junctions become one.
 constexpr double least_rings = 0.5;
+/// Where rims are as round as a ring they have as many vertices, about.
+constexpr double round_spacing = 0.75;
 constexpr std::size_t least_tip_rings = 2;   // one cut before the tip
 constexpr std::size_t least_blob_rings = 6;  // a ball then has about as many vertices round one way as the other
 constexpr std::size_t least_loop = 3;        // vertices of a closed line
@@ -156,7 +158,7 @@ class LimbFinder {
       chords.push_back(at_end ? LimbCut{last.left - falling, last.right + rising}
                               : LimbCut{last.left + rising, last.right - falling});
     }
-    const double rings = length / (2 * spacing_ * radius);
+    const double rings = length / (2 * std::min(spacing_, round_spacing) * radius);
     std::vector<double> steps(chords.size(), rings / cap_steps);
     insert(at_end, chords, steps, limb);
   }
@@ -208,7 +210,7 @@ class LimbFinder {
     for (int k = 0; k <= 2 * cap_steps; ++k) {
       const double part = static_cast<double>(k) / (2 * cap_steps);
       limb.chords.push_back({from - part * falling, from + part * rising});
-      limb.along.push_back(part * rim.length / (2 * spacing_ * radius));
+      limb.along.push_back(part * rim.length / (2 * std::min(spacing_, round_spacing) * radius));
     }
     count_rings(limb);
     return limb;

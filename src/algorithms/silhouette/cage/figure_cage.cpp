@@ -12,7 +12,7 @@
 namespace croquis::silhouette {
 namespace {
 
-constexpr int fit_rounds = 10;
+constexpr int fit_rounds = 8;
 constexpr int overlap_levels = 2;
 
 /// Where a sheet begins on its contours: per contour and position, the lifted triangle behind the segment there and

@@ -62,6 +62,7 @@ class SheetBuilder {
       if (!joins_[l]) add_limb(l);
     }
     for (const std::vector<LimbSide>& polygon : polygons) add_junction(polygon);
+    even_junctions();
     return std::move(sheet_);
   }
 
@@ -235,6 +236,7 @@ class SheetBuilder {
       centre += place(own[2]) / static_cast<double>(count);
     }
     const Index middle = add_inner(centre, rows[0][2]);
+    movable_.push_back(middle);
     std::vector<Index> spokes;
     for (const CutRow& own : rows) spokes.push_back(add_inner((place(own[2]) + centre) / 2, own[2]));
     for (std::size_t i = 0; i < count; ++i) {
@@ -242,10 +244,29 @@ class SheetBuilder {
       const Index spoke = spokes[i], last_spoke = spokes[i > 0 ? i - 1 : count - 1];
       const Vec2 inside = (place(own[1]) + place(last[3]) + place(spoke) + place(last_spoke)) / 4;
       const Index face = add_inner(inside, own[1]);
+      for (const Index v : {face, spoke, own[2]}) movable_.push_back(v);
       sheet_.faces.push_back({own[0], own[1], face, last[3]});
       sheet_.faces.push_back({own[1], own[2], spoke, face});
       sheet_.faces.push_back({face, spoke, middle, last_spoke});
       sheet_.faces.push_back({last[3], face, last_spoke, last[2]});
+    }
+  }
+
+  /// What lies inside of junctions goes to the middle of its neighbours.
+  void even_junctions() {
+    constexpr int passes = 10;
+    std::vector<Vec2> sum(sheet_.vertices.size());
+    std::vector<double> count(sum.size());
+    for (int pass = 0; pass < passes; ++pass) {
+      std::ranges::fill(sum, Vec2::Zero());
+      std::ranges::fill(count, 0);
+      for (const std::array<Index, 4>& face : sheet_.faces) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          for (const std::size_t k : {i + 1, i + 3}) sum[face[i]] += place(face[k % 4]);
+          count[face[i]] += 2;
+        }
+      }
+      for (const Index v : movable_) sheet_.vertices[v].place = sum[v] / count[v];
     }
   }
 
@@ -256,6 +277,7 @@ class SheetBuilder {
   std::vector<std::vector<LimbCut>> cuts_;     ///< per limb
   std::map<Index, std::vector<CutRow>> rows_;  ///< per limb
   std::vector<Index> rim_next_;                ///< per rim vertex, which come first
+  std::vector<Index> movable_;                 ///< inside of junctions
   QuadSheet sheet_;
 };
 

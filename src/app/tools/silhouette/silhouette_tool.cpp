@@ -200,6 +200,21 @@ void copy_to_far_side(const Studio& studio, const SketchTool& tool, SketchChips&
   }
 }
 
+/// Beside the solid of the active sketch, which is hidden: both follow the drawing from then on.
+void add_quad_cage(Studio& studio) {
+  const WorkObject* object = studio.active();
+  const Node* solid = object == nullptr ? nullptr : step_with(studio, *object, "inflate");
+  if (solid == nullptr) return;
+  const Document& before = studio.session().document();
+  Node hidden = *before.find(object->node);
+  hidden.visible = false;
+  AddedNode added = with_step(before.with(std::move(hidden)), studio.registry(), solid->inputs.at("drawing").node,
+                              "cage", solid->parameters);
+  studio.session().edit("Make a quad cage of " + readable_name(object->name), std::move(added.document));
+  studio.set_active(added.node);
+  studio.session().select({{added.node, ""}});
+}
+
 /// @param tube_share that a choice is written to, of the view's diagonal
 void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chips, double& tube_share,
                         ActionList& actions) {
@@ -212,6 +227,10 @@ void add_sketch_actions(ToolHost& host, const SketchTool& tool, SketchChips& chi
   add_plane("add-sketch", tr("Seen from the front"), {QKeySequence("Ctrl+Shift+N")}, {});
   add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
   add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
+  actions.add(actions.menu(MenuId::Create), "quad-cage", tr("Quad cage"), {}, [&host] {
+    host.attempt([&] { add_quad_cage(host.studio()); });
+    host.refresh();
+  });
   add_mode(host, actions, MenuId::Sketch, "draw", tr("Draw"), "D");
   add_mode(host, actions, MenuId::Sketch, "tube", tr("Draw tubes"), "Ctrl+Shift+D");
   add_mode(host, actions, MenuId::Sketch, "erase", tr("Erase"), "X");
@@ -266,6 +285,8 @@ void SilhouetteTool::make_actions(ActionList& actions) {
 void SilhouetteTool::refresh() {
   const WorkObject* object = studio().active();
   const bool mesh = object != nullptr && object->cage != 0;
+  const bool has_solid = object != nullptr && step_with(studio(), *object, "inflate") != nullptr;
+  host().action("quad-cage")->setEnabled(has_solid);
   host().action("far-copy")->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
