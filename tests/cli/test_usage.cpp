@@ -26,8 +26,8 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "cage", "perspective", "subdivide",  "fair",
-                                              "fill",    "edit", "info",        "check",      "convert",
+const std::vector<std::string> subcommands = {"inflate", "cage", "perspective", "subdivide", "fair",
+                                              "fill",    "edit", "info",        "check",     "convert",
                                               "render",  "run",  "operations",  "edits"};
 
 /// The circle and a node "inflate" that makes it a solid.

@@ -13,13 +13,13 @@
 
 namespace croquis::silhouette {
 
-/// A control mesh of few quads whose subdivision surfaces, Catmull-Clark's and Doo-Sabin's, are close to the solids of a
-/// drawing: each object is a closed surface of its own.
+/// A control mesh of few quads whose subdivision surfaces, Catmull-Clark's and Doo-Sabin's, are close to the solids of
+/// a drawing: each object is a closed surface of its own.
 ///
 /// Rings of eight vertices run round every limb, and the outline is a loop of edges. Front and back are images of each
 /// other over the middle of the depth.
 struct QuadCage {
-  PolyMesh mesh;  ///< face channel "object", as Solid::mesh has it
+  PolyMesh mesh;           ///< face channel "object", as Solid::mesh has it
   std::size_t caps = 0;    ///< tips of limbs, each of four quads
   std::size_t shells = 0;  ///< closed surfaces
   bool mirror = false;     ///< it is its own image, left to right; what nearly is becomes so

@@ -67,8 +67,8 @@ struct FigureSolid {
   std::vector<Shell> shells;  ///< the sound ones, by their first objects
   Attachments held;           ///< joined ones only where they could be, their seams as far as they were rounded
   Skeleton skeleton;
-  SolidDiagnostics diagnostics;  ///< without silhouette_iou
-  Overlap overlap;               ///< of the shells with the drawing
+  SolidDiagnostics diagnostics;                  ///< without silhouette_iou
+  Overlap overlap;                               ///< of the shells with the drawing
   std::shared_ptr<const InflatedSheets> sheets;  ///< before anything was joined
   std::map<Index, double> mirrored;  ///< objects with a copy on the far side: the depth that it is mirrored at
   Findings findings;

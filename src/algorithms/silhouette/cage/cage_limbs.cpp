@@ -23,8 +23,8 @@ constexpr int cap_steps = 8;
 /// A limb between junctions that is shorter than so many rings has none: the junctions become one.
 constexpr double least_rings = 0.5;
 /// Where rims are as round as a ring they have as many vertices, about.
-constexpr double round_spacing = 0.75;
-constexpr std::size_t least_tip_rings = 2;   // one cut before the tip
+constexpr double round_spacing = 0.5;
+constexpr std::size_t least_tip_rings = 3;   // two cuts before the tip
 constexpr std::size_t least_blob_rings = 6;  // a ball then has about as many vertices round one way as the other
 constexpr std::size_t least_loop = 3;        // vertices of a closed line
 
@@ -111,6 +111,7 @@ class LimbFinder {
         break;
       }
     }
+    measure(limb);
     for (const bool at_end : {false, true}) {
       if (limb.ends[at_end] == LimbEnd::Tip) add_tip(at_end, half_width(at_end ? gate : start), limb);
     }
@@ -125,8 +126,26 @@ class LimbFinder {
     const double left_step = around(rim_place(old_left) - rim_place(left), region_.rims[limb.left_rim].length);
     const LimbCut& last = limb.chords.back();
     limb.chords.push_back({last.left - left_step, last.right + right_step});
-    const double radius = (half_width(from) + half_width(to)) / 2;
-    limb.along.push_back(limb.along.back() + (left_step + right_step) / (2 * spacing_ * radius));
+    limb.along.push_back((half_width(from) + half_width(to)) / 2);
+  }
+
+  /// From the radii between chords to rings: the mean of both sides counts, more where one of them is much longer over
+  /// about a radius, less where a limb is straight.
+  void measure(CageLimb& limb) const {
+    constexpr double straight = 0.8, longer_side = 0.65;
+    const std::vector<double> radius = limb.along;
+    const std::vector<LimbCut>& chords = limb.chords;
+    const auto mean = [&](std::size_t a, std::size_t b) {
+      return (chords[b].right - chords[a].right + chords[a].left - chords[b].left) / 2;
+    };
+    for (std::size_t i = 1; i < chords.size(); ++i) {
+      std::size_t low = i - 1, high = i;
+      while (low > 0 && mean(low, i) < radius[i]) --low;
+      while (high + 1 < chords.size() && mean(i - 1, high) < radius[i]) ++high;
+      const double longer = std::max(chords[high].right - chords[low].right, chords[low].left - chords[high].left);
+      const double factor = std::max(straight, longer_side * longer / std::max(mean(low, high), 1e-300));
+      limb.along[i] = limb.along[i - 1] + factor * mean(i - 1, i) / (spacing_ * radius[i]);
+    }
   }
 
   /// The place of a rim between a chord's ends that is farthest out, of nearly equal ones the middle one.
@@ -177,8 +196,9 @@ class LimbFinder {
     limb.along = std::move(along);
   }
 
-  static void count_rings(CageLimb& limb) {
-    const double length = limb.along.back();
+  void count_rings(CageLimb& limb) const {
+    const bool is_body = limb.ends == std::array{LimbEnd::Junction, LimbEnd::Junction};
+    const double length = limb.along.back() * (is_body ? std::max(spacing_ / round_spacing, 1.0) : 1);
     limb.rings = length < least_rings ? 0 : std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length)));
     const bool has_tip = std::ranges::count(limb.ends, LimbEnd::Tip) > 0;
     const bool is_whole = limb.ends == std::array{LimbEnd::Tip, LimbEnd::Tip};

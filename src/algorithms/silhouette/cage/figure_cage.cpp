@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "algorithms/silhouette/cage/quad_sheet.h"
@@ -154,9 +156,27 @@ double least_corner(const PolyMesh& mesh, Index face) {
   return least;
 }
 
+/// Per vertex of a sheet how far its control point may lie from its target: a share of the edges there.
+std::vector<double> reaches_of(const QuadSheet& quads, const Targets& targets) {
+  constexpr double share = 0.35;
+  std::vector<double> length(quads.vertices.size(), 0), edges = length;
+  const auto at = [&](Index v) { return Vec3(targets.place[v].x(), targets.place[v].y(), targets.half[v]); };
+  for (const std::array<Index, 4>& face : quads.faces) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index a = face[i], b = face[(i + 1) % 4];
+      for (const Index v : {a, b}) {
+        length[v] += (at(a) - at(b)).norm();
+        edges[v] += 1;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < length.size(); ++v) length[v] *= share / edges[v];
+  return length;
+}
+
 /// Moves the sheet's control points so that the surface comes nearer to the targets; where a face would fold its
 /// vertices move less.
-void fit_once(const QuadSheet& quads, const Targets& targets, DoubledSheet& cage) {
+void fit_once(const QuadSheet& quads, const Targets& targets, std::span<const double> reach, DoubledSheet& cage) {
   constexpr int halvings = 4;
   constexpr double nearly_folded = 0.1;
   std::vector<Vec3>& positions = cage.mesh.positions;
@@ -165,12 +185,17 @@ void fit_once(const QuadSheet& quads, const Targets& targets, DoubledSheet& cage
   std::vector<double> share(count, 1);
   const auto set = [&](Index v) {
     const Index back = cage.backs[v];
-    const double middle = (limit[v].z() + limit[back].z()) / 2, half = (limit[v].z() - limit[back].z()) / 2;
-    const Vec2 place = old[v].head<2>() + share[v] * (targets.place[v] - limit[v].head<2>());
-    const double z = (old[v].z() + old[back].z()) / 2 + share[v] * (targets.middle[v] - middle);
-    const double h = (old[v].z() - old[back].z()) / 2 + share[v] * (targets.half[v] - half);
-    positions[v] = {place.x(), place.y(), z + h};
-    positions[back] = {place.x(), place.y(), z - h};
+    // Places, and the middle and half of the depth there.
+    const auto halved = [&](const std::vector<Vec3>& of) {
+      return Eigen::Vector4d(of[v].x(), of[v].y(), (of[v].z() + of[back].z()) / 2, (of[v].z() - of[back].z()) / 2);
+    };
+    const Eigen::Vector4d target(targets.place[v].x(), targets.place[v].y(), targets.middle[v], targets.half[v]);
+    const Eigen::Vector4d from = halved(old);
+    Eigen::Vector4d offset = from - halved(limit);
+    offset *= std::min(1.0, reach[v] / std::max(offset.norm(), 1e-300));
+    const Eigen::Vector4d now = from + share[v] * (target + offset - from);
+    positions[v] = {now[0], now[1], now[2] + now[3]};
+    positions[back] = {now[0], now[1], now[2] - now[3]};
   };
   std::vector<double> before(quads.faces.size());
   for (Index f = 0; f < before.size(); ++f) before[f] = least_corner(cage.mesh, f);
@@ -204,8 +229,7 @@ PolyMesh refined_quads(const PolyMesh& cage) {
     std::array<Index, 4> middle{};
     for (std::size_t i = 0; i < 4; ++i) {
       const Index a = face[i], b = face[(i + 1) % 4];
-      const auto [edge, is_new] =
-          edges.try_emplace(std::minmax(a, b), static_cast<Index>(fine.positions.size()));
+      const auto [edge, is_new] = edges.try_emplace(std::minmax(a, b), static_cast<Index>(fine.positions.size()));
       if (is_new) fine.positions.push_back((cage.positions[a] + cage.positions[b]) / 4);
       middle[i] = edge->second;
       fine.positions[middle[i]] += fine.positions[vertices + f] / 4;
@@ -257,7 +281,8 @@ FigureCage figure_cage(const LabelledFigure& figure, const InflatedSheets& sheet
     cage.mesh.positions[cage.backs[v]] = {place.x(), place.y(), targets.middle[v] - targets.half[v]};
     cage.mesh.positions[v] = {place.x(), place.y(), targets.middle[v] + targets.half[v]};
   }
-  for (int round = 0; round < fit_rounds; ++round) fit_once(quads, targets, cage);
+  const std::vector<double> reach = reaches_of(quads, targets);
+  for (int round = 0; round < fit_rounds; ++round) fit_once(quads, targets, reach, cage);
   FigureCage made;
   made.caps = quads.tips;
   for (int copy = 0; copy < 2; ++copy) {

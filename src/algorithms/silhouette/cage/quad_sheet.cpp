@@ -33,8 +33,7 @@ class SheetBuilder {
       for (const bool at_end : {false, true}) {
         if (limb.gates[at_end] != no_index) sides_[limb.gates[at_end]] = {l, at_end};
       }
-      const bool joins =
-          limb.rings == 0 && merged_.root(limb.gates[0] / 3) != merged_.root(limb.gates[1] / 3);
+      const bool joins = limb.rings == 0 && merged_.root(limb.gates[0] / 3) != merged_.root(limb.gates[1] / 3);
       if (joins) merged_.unite(limb.gates[0] / 3, limb.gates[1] / 3);
       joins_.push_back(joins);
       cuts_.push_back({});
@@ -283,8 +282,6 @@ class SheetBuilder {
 
 }  // namespace
 
-QuadSheet quad_sheet(const LimbedRegion& region) {
-  return SheetBuilder(region).build();
-}
+QuadSheet quad_sheet(const LimbedRegion& region) { return SheetBuilder(region).build(); }
 
 }  // namespace croquis::silhouette
