@@ -24,8 +24,8 @@ constexpr int cap_steps = 8;
 constexpr double least_rings = 0.5;
 /// Where rims are as round as a ring they have as many vertices, about.
 constexpr double round_spacing = 0.5;
-constexpr std::size_t least_tip_rings = 3;   // two cuts before the tip
-constexpr std::size_t least_blob_rings = 6;  // a ball then has about as many vertices round one way as the other
+constexpr std::size_t least_tip_rings = 2;   // one cut before the tip
+constexpr std::size_t least_blob_rings = 8;  // a ball then has about as many vertices round one way as the other
 constexpr std::size_t least_loop = 3;        // vertices of a closed line
 
 double around(double distance, double length) { return distance < 0 ? distance + length : distance; }

@@ -158,7 +158,7 @@ double least_corner(const PolyMesh& mesh, Index face) {
 
 /// Per vertex of a sheet how far its control point may lie from its target: a share of the edges there.
 std::vector<double> reaches_of(const QuadSheet& quads, const Targets& targets) {
-  constexpr double share = 0.35;
+  constexpr double share = 0.45;
   std::vector<double> length(quads.vertices.size(), 0), edges = length;
   const auto at = [&](Index v) { return Vec3(targets.place[v].x(), targets.place[v].y(), targets.half[v]); };
   for (const std::array<Index, 4>& face : quads.faces) {
