@@ -153,7 +153,7 @@ OperationResult compute_inflate(const Values& inputs, Options options, Context& 
 
 struct CageSettings {
   Options options;
-  double rings = 1.2;
+  double rings = 1.3;
 };
 
 void list_cage_parameters(CageSettings& settings, ParameterList& list) {
