@@ -8,6 +8,7 @@
 #include "croquis/geometry/affine3.h"
 #include "croquis/operators/attach_text.h"
 #include "croquis/operators/drawing_readings.h"
+#include "croquis/silhouette/cage.h"
 #include "croquis/silhouette/labelled_figure.h"
 #include "croquis/silhouette/solid.h"
 #include "operators/inflate_report.h"
@@ -106,26 +107,75 @@ Value on_plane(PolyMesh mesh, const DrawingPlane& plane) {
   return std::make_shared<const PolyMesh>(std::move(mesh));
 }
 
-OperationResult compute_inflate(const Values& inputs, Options options, Context& context) {
-  const Drawing& drawing = inputs.at("drawing").get<Drawing>();
+/// A drawing as it was read, and what became of it.
+struct ReadDrawing {
+  silhouette::LabelledDrawing labelled;
+  silhouette::CagedSolid made;
+
+  Findings findings() const {
+    Findings all = labelled.findings;
+    all.insert(all.end(), made.solid.findings.begin(), made.solid.findings.end());
+    return all;
+  }
+};
+
+/// @param rings of the cage; 0: none is made
+ReadDrawing read_and_inflate(const Drawing& drawing, Options options, double rings, Context& context) {
   options.quality = context.quality == Quality::Draft ? silhouette::Quality::Draft : silhouette::Quality::Final;
   MemoStageCache cache(context.memo);
   if (context.memo != nullptr) options.cache = &cache;
+  ReadDrawing read;
   Progress labelling = context.progress.step("label", 0.3);
-  const silhouette::LabelledDrawing labelled = silhouette::label(drawing, options, labelling);
+  read.labelled = silhouette::label(drawing, options, labelling);
   Progress inflating = context.progress.step("inflate", 0.7);
-  silhouette::Solid solid = silhouette::inflate(labelled, drawing, options, inflating);
+  if (rings > 0) {
+    read.made = silhouette::inflate_with_cage(read.labelled, drawing, options, rings, inflating);
+  } else {
+    read.made.solid = silhouette::inflate(read.labelled, drawing, options, inflating);
+  }
+  return read;
+}
 
+OperationResult compute_inflate(const Values& inputs, Options options, Context& context) {
+  const Drawing& drawing = inputs.at("drawing").get<Drawing>();
+  ReadDrawing read = read_and_inflate(drawing, std::move(options), 0, context);
+  silhouette::Solid& solid = read.made.solid;
   OperationResult result;
-  result.warnings = labelled.findings;
-  result.warnings.insert(result.warnings.end(), solid.findings.begin(), solid.findings.end());
-  InflateResult details = result_of_inflating(drawing, labelled, solid);
+  result.warnings = read.findings();
+  InflateResult details = result_of_inflating(drawing, read.labelled, solid);
   result.outputs["details"] = std::make_shared<const Report>(to_report(details));
-  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, labelled, details.arcs));
+  result.outputs["labels"] = std::make_shared<const Drawing>(label_drawing(drawing, read.labelled, details.arcs));
   result.details = std::move(details);
   result.outputs["skeleton"] = on_plane(std::move(solid.skeleton), drawing.plane);
   result.outputs["lines"] = on_plane(polylines(solid.lines), drawing.plane);
   result.outputs["mesh"] = on_plane(std::move(solid.mesh), drawing.plane);
+  return result;
+}
+
+struct CageSettings {
+  Options options;
+  double rings = 1.3;
+};
+
+void list_cage_parameters(CageSettings& settings, ParameterList& list) {
+  list_inflate_parameters(settings.options, list);
+  list.number("rings", settings.rings, 0.3, 3, {"× the local radius", ParameterLength::Inner},
+              "Distance of the rings of quads that run around limbs.")
+      .titled("Rings", {"close", "wide apart"});
+}
+
+OperationResult compute_cage(const Values& inputs, CageSettings settings, Context& context) {
+  const Drawing& drawing = inputs.at("drawing").get<Drawing>();
+  ReadDrawing read = read_and_inflate(drawing, std::move(settings.options), settings.rings, context);
+  silhouette::QuadCage& cage = read.made.cage;
+  OperationResult result;
+  result.warnings = read.findings();
+  Report details = Report::object();
+  const std::size_t faces = cage.mesh.face_count();
+  details.set("faces", faces).set("quads", faces).set("caps", cage.caps).set("shells", cage.shells);
+  details.set("mirror", cage.mirror).set("silhouette_iou", cage.silhouette_iou);
+  result.outputs["details"] = std::make_shared<const Report>(std::move(details));
+  result.outputs["mesh"] = on_plane(std::move(cage.mesh), drawing.plane);
   return result;
 }
 
@@ -139,6 +189,18 @@ silhouette::DrawingReadings readings_of(const Drawing& drawing, const ParameterV
                               "nothing where other readings are asked for, in which overlaps have other numbers"));
   }
   return {drawing, std::move(options)};
+}
+
+std::unique_ptr<const Operation> cage_operation() {
+  return operation_of(
+      {"cage",
+       1,
+       "Quad Cage",
+       "Turns drawn contours into a coarse control mesh of quads, whose subdivision surface is close to their solids.",
+       {{"drawing", ValueType::Drawing, "The visible contours; a line stops where it passes behind something."}},
+       {{"mesh", ValueType::Mesh, "Quads only: closed, one surface per object, with rings around limbs."},
+        {"details", ValueType::Report, "Counts, symmetry, and how well the outline is kept."}}},
+      list_cage_parameters, compute_cage);
 }
 
 std::unique_ptr<const Operation> inflate_operation() {

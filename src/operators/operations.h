@@ -11,6 +11,7 @@
 namespace croquis {
 
 std::unique_ptr<const Operation> attribute_network_operation();
+std::unique_ptr<const Operation> cage_operation();
 std::unique_ptr<const Operation> contour_network_operation();
 std::unique_ptr<const Operation> edge_network_operation();
 std::unique_ptr<const Operation> edit_operation();

@@ -30,6 +30,38 @@ Json report_of(const ProcessResult& result) {
   return Json::parse(result.out);
 }
 
+TEST_CASE("a sketch becomes a cage of quads that subdivide takes") {
+  const ScratchFolder folder;
+  for (const char* name : {"trefoil", "dog"}) {
+    const std::string cage = folder / (std::string(name) + ".obj");
+    const ProcessResult result = run_cli({"cage", sketches / (std::string(name) + ".svg"), "-o", cage, "--json"});
+    REQUIRE(result.code == 0);
+    const Json report = report_of(result), details = report.at("details");
+    CHECK(report.at("command") == "cage");
+    CHECK(report.at("mesh").at("closed") == true);
+    CHECK(report.at("mesh").at("faces") == details.at("faces"));
+    CHECK(details.at("quads") == details.at("faces"));
+    CHECK(details.at("silhouette_iou").get<double>() >= 0.95);
+    CHECK(details.at("caps") == (std::string(name) == "dog" ? 16 : 0));
+    CHECK(details.at("mirror") == false);
+    for (const char* scheme : {"catmull-clark", "doo-sabin"}) {
+      CHECK(run_cli({"subdivide", cage, "--scheme", scheme, "--levels", "2", "-o", folder / "fine.obj"}).code == 0);
+    }
+  }
+}
+
+TEST_CASE("a drawing without a solid has no cage either") {
+  const ScratchFolder folder;
+  const std::string empty = folder.write("empty.svg", svg("<path id=\"a\" d=\"M0 0L100 3\"/>"));
+  for (const char* command : {"inflate", "cage"}) {
+    const ProcessResult result = run_cli({command, empty, "-o", folder / "a.obj", "--json"});
+    CHECK(result.code == 4);
+    CHECK(report_of(result).at("error").at("code") == "E_EMPTY");
+    CHECK_FALSE(std::filesystem::exists(folder / "a.obj"));
+  }
+  CHECK(run_cli({"cage", folder.write("bad.svg", "<svg"), "-o", folder / "a.obj"}).code == 3);
+}
+
 TEST_CASE("every shipped sketch becomes a solid that check accepts") {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(sketches)) {

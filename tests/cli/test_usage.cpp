@@ -26,9 +26,9 @@ const char* const triangle_ply =
 const char* const circle_svg =
     "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle id=\"c\" cx=\"100\" cy=\"100\" r=\"80\"/></svg>";
 
-const std::vector<std::string> subcommands = {"inflate", "perspective", "subdivide", "fair",    "fill",
-                                              "edit",    "info",        "check",     "convert", "render",
-                                              "run",     "operations",  "edits"};
+const std::vector<std::string> subcommands = {"inflate", "cage", "perspective", "subdivide", "fair",
+                                              "fill",    "edit", "info",        "check",     "convert",
+                                              "render",  "run",  "operations",  "edits"};
 
 /// The circle and a node "inflate" that makes it a solid.
 void write_project(const std::string& path) {
@@ -126,6 +126,9 @@ TEST_CASE("wrong usage is answered with exit code 2 and the word at fault") {
       {{"inflate", sketch, "-o", folder / "a.obj", "--min-gap", "nan"}, "min-gap"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--weight-distance", "0"}, "weight-distance"},
       {{"inflate", sketch, "-o", folder / "a.xyz"}, "a.xyz"},
+      {{"cage", sketch}, "-o"},
+      {{"cage", sketch, "-o", folder / "a.obj", "--rings", "0.1"}, "rings"},
+      {{"cage", sketch, "-o", folder / "a.obj", "--min-gap", "7"}, "min-gap"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--skeleton", folder / "a.obj"}, "a.obj"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--max-memory", "lots"}, "lots"},
       {{"inflate", sketch, "-o", folder / "a.obj", "--timeout", "-1"}, "timeout"},

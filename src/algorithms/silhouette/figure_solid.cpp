@@ -127,6 +127,7 @@ SolvedFigure solve(const FigureTask& task, const Skeleton& axis, Progress& progr
 /// What the sheets of one solve become with some triangles.
 struct SurfacedFigure {
   FigureShells shells;
+  std::map<Index, double> mirrored;  ///< see FigureSolid
   double depth_ratio = 0;
   Findings refusals;
 };
@@ -246,6 +247,12 @@ SurfacedFigure surfaced(const FigureTask& task, const SolvedFigure& solved, cons
   held.faults.resize(held.surfaces.size());
   if (checks) held.faults = check_surfaces(task, solved, held.surfaces, mesh, progress);
   const std::vector<Index> alone = add_far_copies(task.figure, task.settings.copied, held);
+  for (const Shell& surface : held.surfaces) {
+    const Index object = surface.objects.front();
+    if (!is_copy(task.figure, object)) continue;
+    const auto own = std::ranges::find(held.surfaces, std::vector{drawn_object(task.figure, object)}, &Shell::objects);
+    made.mirrored[own->objects.front()] = (middle_depth(surface.mesh) + middle_depth(own->mesh)) / 2;
+  }
   if (!checks) held.attachments = {};
   made.shells = make_shells(task.figure, std::move(held), progress);
   for (const Index object : alone) {
@@ -254,6 +261,7 @@ SurfacedFigure surfaced(const FigureTask& task, const SolvedFigure& solved, cons
         "\" on the far side is left out, since it belongs to nothing: attach it to a part that isn't copied"));
   }
   for (const Index object : made.shells.lost) {
+    made.mirrored.erase(object);
     made.refusals.push_back(not_copied(
         task, object,
         "\" on the far side is left out, since it would cut through another part: draw it further away, or attach it"));
@@ -316,6 +324,8 @@ FigureSolid figure_solid(const FigureTask& task, SolvedFigure solved, SurfacedFi
   solid.diagnostics.depth_ratio = made.depth_ratio;
   if (task.settings.quality == Quality::Final) solid.overlap = overlap_with_drawing(task.figure, solid.shells);
   solid.skeleton = std::move(solved.skeleton);
+  solid.sheets = std::make_shared<const InflatedSheets>(std::move(solved.sheets));
+  solid.mirrored = std::move(made.mirrored);
   return solid;
 }
 
@@ -383,7 +393,9 @@ FigureSolid solidify(FigureTask task, Progress& progress) {
 }
 
 std::size_t bytes_of_solid(const FigureSolid& solid) {
-  std::size_t bytes = bytes_of(solid.skeleton);
+  const InflatedSheets& sheets = *solid.sheets;
+  std::size_t bytes = bytes_of(solid.skeleton) + bytes_of(sheets.sampling) +
+                      sizeof(double) * static_cast<std::size_t>(sheets.z.size() + sheets.thickness.size());
   for (const Shell& shell : solid.shells) bytes += bytes_of(shell.mesh) + 4 * shell.face_objects.size();
   return bytes;
 }

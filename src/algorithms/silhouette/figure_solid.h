@@ -10,6 +10,7 @@
 #include "algorithms/silhouette/joining/far_copies.h"
 #include "algorithms/silhouette/joining/joining.h"
 #include "algorithms/silhouette/skeleton/depth.h"
+#include "algorithms/silhouette/surface/inflation.h"
 #include "algorithms/silhouette/surface/shell.h"
 #include "algorithms/silhouette/surface/silhouette_overlap.h"
 #include "croquis/base/finding.h"
@@ -66,8 +67,10 @@ struct FigureSolid {
   std::vector<Shell> shells;  ///< the sound ones, by their first objects
   Attachments held;           ///< joined ones only where they could be, their seams as far as they were rounded
   Skeleton skeleton;
-  SolidDiagnostics diagnostics;  ///< without silhouette_iou
-  Overlap overlap;               ///< of the shells with the drawing
+  SolidDiagnostics diagnostics;                  ///< without silhouette_iou
+  Overlap overlap;                               ///< of the shells with the drawing
+  std::shared_ptr<const InflatedSheets> sheets;  ///< before anything was joined
+  std::map<Index, double> mirrored;  ///< objects with a copy on the far side: the depth that it is mirrored at
   Findings findings;
 };
 

@@ -12,6 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "algorithms/silhouette/cage/figure_cage.h"
+#include "algorithms/silhouette/cage/whole_cage.h"
 #include "algorithms/silhouette/figure_solid.h"
 #include "algorithms/silhouette/solid_lines.h"
 #include "algorithms/silhouette/strokes/drawing_findings.h"
@@ -19,6 +21,7 @@
 #include "croquis/base/error.h"
 #include "croquis/base/text.h"
 #include "croquis/geometry/polyline.h"
+#include "croquis/silhouette/cage.h"
 #include "croquis/silhouette/stroke_data.h"
 
 namespace croquis::silhouette {
@@ -159,9 +162,28 @@ void add_diagnostics(const SolidDiagnostics& part, SolidDiagnostics& total) {
 /// What is known of a solid while its figures are added.
 struct SolidSoFar {
   Solid solid;
+  double rings = 0;  ///< of the cage, if that is wanted
+  QuadCage cage = {};
   double largest_area = 0;  ///< that an outline of it encloses
   Overlap overlap;
+  Overlap cage_overlap;
 };
+
+/// The cages of a figure's sound objects, and of their copies on the far side.
+void add_cage(const LabelledFigure& figure, const FigureSolid& part, SolidSoFar& made, Progress& progress) {
+  const FigureCage cage = figure_cage(figure, *part.sheets, made.rings, progress);
+  const AttributeChannel& objects = *made.solid.mesh.channel("object", Domain::Face);
+  std::vector<std::int32_t> number(figure.objects.size(), -1);
+  for (const Shell& shell : part.shells) {
+    for (const Index o : shell.objects) {
+      const auto known = std::ranges::find(objects.labels, figure.objects[o].name);
+      number[o] = static_cast<std::int32_t>(known - objects.labels.begin());
+    }
+  }
+  append_cage(cage, number, part.mirrored, made.cage);
+  made.cage_overlap.both += cage.overlap.both;
+  made.cage_overlap.either += cage.overlap.either;
+}
 
 void add_figure(const LabelledFigure& figure, const DepthSettings& settings, const FigureSolid& part,
                 SolidSoFar& made) {
@@ -185,7 +207,9 @@ void add_figure(const LabelledFigure& figure, const DepthSettings& settings, con
 void try_figure(const LabelledFigure& figure, const Drawing& drawing, const FigureSettings& settings, SolidSoFar& made,
                 Progress& progress) {
   try {
-    add_figure(figure, settings.depth, *make_figure_solid(figure, drawing, settings, progress), made);
+    const std::shared_ptr<const FigureSolid> part = make_figure_solid(figure, drawing, settings, progress);
+    add_figure(figure, settings.depth, *part, made);
+    if (made.rings > 0) add_cage(figure, *part, made, progress);
   } catch (const Error& error) {
     for (Finding finding : error.findings()) {
       if (finding.subjects.empty()) {
@@ -196,6 +220,12 @@ void try_figure(const LabelledFigure& figure, const Drawing& drawing, const Figu
       made.solid.findings.push_back(std::move(finding));
     }
   }
+}
+
+void finish_cage(SolidSoFar& made) {
+  made.cage.mesh.channels.front().labels = made.solid.mesh.channel("object", Domain::Face)->labels;
+  made.cage.mirror = make_symmetric(made.cage.mesh);
+  if (made.cage_overlap.either > 0) made.cage.silhouette_iou = made.cage_overlap.ratio();
 }
 
 /// @throws Error where the solid is none of the drawing
@@ -312,10 +342,8 @@ void color_parts(const Drawing& drawing, Solid& solid) {
   solid.mesh.channels.push_back({"color", Domain::Vertex, 3, std::move(values), {}});
 }
 
-}  // namespace
-
-Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
-  SolidSoFar made;
+void inflate_all(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, SolidSoFar& made,
+                 Progress& progress) {
   Solid& solid = made.solid;
   const std::vector<FigureSettings> settings = figure_settings(labelled, drawing, options, solid.findings);
   constexpr double carving_share = 0.2;
@@ -344,8 +372,24 @@ Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Opt
   color_parts(drawing, solid);
   const bool measured = made.overlap.either > 0;
   solid.diagnostics.silhouette_iou = measured ? made.overlap.ratio() : std::numeric_limits<double>::quiet_NaN();
+  if (made.rings > 0) finish_cage(made);
   progress.report(1);
-  return std::move(solid);
+}
+
+}  // namespace
+
+Solid inflate(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options, Progress& progress) {
+  SolidSoFar made;
+  inflate_all(labelled, drawing, options, made, progress);
+  return std::move(made.solid);
+}
+
+CagedSolid inflate_with_cage(const LabelledDrawing& labelled, const Drawing& drawing, const Options& options,
+                             double rings, Progress& progress) {
+  SolidSoFar made;
+  made.rings = rings;
+  inflate_all(labelled, drawing, options, made, progress);
+  return {std::move(made.solid), std::move(made.cage)};
 }
 
 }  // namespace croquis::silhouette

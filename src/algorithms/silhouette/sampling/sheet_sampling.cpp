@@ -144,21 +144,6 @@ void fill_lone_triangles(SheetSampling& sheets) {
   }
 }
 
-LiftedPlace place_in(const SheetSampling& sheets, Index planar_triangle, Index layer, const Vec2& position) {
-  const auto area_of = [](const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a) / 2; };
-  const std::array<Index, 3>& corners = sheets.planar.triangles[planar_triangle];
-  const std::array<Vec2, 3> p{sheets.points[corners[0]], sheets.points[corners[1]], sheets.points[corners[2]]};
-  const double area = area_of(p[0], p[1], p[2]);
-  LiftedPlace place;
-  place.vertices = sheets.lifted.triangles[sheets.lifted.first_copy[planar_triangle] + layer];
-  for (Index k = 0; k < 3; ++k) {
-    place.weights[k] = std::clamp(area_of(position, p[next(k)], p[previous(k)]) / area, 0.0, 1.0);
-  }
-  const double sum = place.weights[0] + place.weights[1] + place.weights[2];
-  for (double& weight : place.weights) weight /= sum;
-  return place;
-}
-
 }  // namespace
 
 std::vector<int> count_layers(const PlanarTriangulation& planar, std::span<const RimPiece> pieces) {
@@ -211,6 +196,21 @@ SheetSampling sample_sheets(const LabelledFigure& figure, const Skeleton& skelet
   throw_internal("The drawn region is too thin to be sampled");
 }
 
+LiftedPlace place_in(const SheetSampling& sheets, Index triangle, const Vec2& position) {
+  const auto area_of = [](const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a) / 2; };
+  const std::array<Index, 3>& corners = sheets.planar.triangles[sheets.lifted.planar_triangle[triangle]];
+  const std::array<Vec2, 3> p{sheets.points[corners[0]], sheets.points[corners[1]], sheets.points[corners[2]]};
+  const double area = area_of(p[0], p[1], p[2]);
+  LiftedPlace place;
+  place.vertices = sheets.lifted.triangles[triangle];
+  for (Index k = 0; k < 3; ++k) {
+    place.weights[k] = std::clamp(area_of(position, p[next(k)], p[previous(k)]) / area, 0.0, 1.0);
+  }
+  const double sum = place.weights[0] + place.weights[1] + place.weights[2];
+  for (double& weight : place.weights) weight /= sum;
+  return place;
+}
+
 std::vector<LiftedPlace> locate_nodes(const LabelledFigure& figure, const Skeleton& skeleton,
                                       const SheetSampling& sheets) {
   PlanarWalk walk(sheets.points, sheets.planar);
@@ -229,7 +229,7 @@ std::vector<LiftedPlace> locate_nodes(const LabelledFigure& figure, const Skelet
     if (triangle == no_index || static_cast<int>(node.place.layer) >= sheets.layers[triangle]) {
       throw_internal("A skeleton node lies outside of its sheet");
     }
-    places.push_back(place_in(sheets, triangle, node.place.layer, node.position));
+    places.push_back(place_in(sheets, sheets.lifted.first_copy[triangle] + node.place.layer, node.position));
   }
   return places;
 }

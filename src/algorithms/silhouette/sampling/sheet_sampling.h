@@ -49,6 +49,9 @@ struct LiftedPlace {
   std::array<double, 3> weights{};
 };
 
+/// Of a lifted triangle; a position outside of it counts as one nearby on its edge.
+LiftedPlace place_in(const SheetSampling& sheets, Index triangle, const Vec2& position);
+
 /// Where the nodes of the skeleton lie in the sampled region, one place per node.
 std::vector<LiftedPlace> locate_nodes(const LabelledFigure& figure, const Skeleton& skeleton,
                                       const SheetSampling& sheets);

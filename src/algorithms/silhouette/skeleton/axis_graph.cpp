@@ -20,9 +20,10 @@ constexpr double covered_reach = 1.02;
 
 class AxisBuilder {
  public:
-  AxisBuilder(const ImmersedTriangulation& immersed, std::span<const Vec2> points)
+  AxisBuilder(const ImmersedTriangulation& immersed, std::span<const Vec2> points, double reach)
       : immersed_(immersed),
         points_(points),
+        reach_(reach),
         open_(immersed.triangles.size()),
         exit_(immersed.triangles.size(), no_index),
         edge_node_(3 * immersed.triangles.size(), no_index),
@@ -34,7 +35,7 @@ class AxisBuilder {
   }
 
   /// Absorbs insignificant branches (Igarashi, Matsuoka, Tanaka 1999, section 5.1, extended past junctions): a triangle
-  /// with one open edge goes if all contour points swallowed so far lie within 1.02 times the half length of that edge
+  /// with one open edge goes if all contour points swallowed so far lie within reach times the half length of that edge
   /// from its midpoint; then its neighbour is next. What is left doesn't depend on the order, except that of a blob
   /// that is absorbed altogether an arbitrary triangle, without open edges, remains.
   void prune_axis() {
@@ -64,6 +65,8 @@ class AxisBuilder {
       if (open_[neighbour].count() == 1) leaves.push_back(neighbour);
     }
   }
+
+  std::vector<std::bitset<3>> take_open() { return std::move(open_); }
 
   AxisGraph build() {
     for (Index t = 0; t < open_.size(); ++t) {
@@ -98,7 +101,7 @@ class AxisBuilder {
   bool covers(Index t, Index corner, const std::vector<Index>& vertices) const {
     const auto [a, b] = edge_ends(t, corner);
     const Vec2 middle = (point(a) + point(b)) / 2;
-    const double limit = covered_reach * covered_reach * (point(b) - point(a)).squaredNorm() / 4;
+    const double limit = reach_ * reach_ * (point(b) - point(a)).squaredNorm() / 4;
     return std::all_of(vertices.begin(), vertices.end(),
                        [&](Index vertex) { return (point(vertex) - middle).squaredNorm() <= limit; });
   }
@@ -255,6 +258,7 @@ class AxisBuilder {
 
   const ImmersedTriangulation& immersed_;
   std::span<const Vec2> points_;
+  double reach_;
   std::vector<std::bitset<3>> open_;  ///< per triangle: edges, by the corners opposite, that lead on along the axis
   std::vector<Index> exit_;           ///< per triangle: the corner opposite to the edge it was absorbed through
   std::vector<Index> absorbed_;       ///< triangles, in that order
@@ -267,9 +271,16 @@ class AxisBuilder {
 }  // namespace
 
 AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points) {
-  AxisBuilder builder(immersed, points);
+  AxisBuilder builder(immersed, points, covered_reach);
   builder.prune_axis();
   return builder.build();
+}
+
+std::vector<std::bitset<3>> open_edges(const ImmersedTriangulation& immersed, std::span<const Vec2> points,
+                                       double reach) {
+  AxisBuilder builder(immersed, points, reach);
+  builder.prune_axis();
+  return builder.take_open();
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct AxisGraph {
 /// The chordal axis without insignificant branches: a sleeve joins the middles of its two open edges, a junction its
 /// centre with three of them, a blob is one node.
 AxisGraph axis_graph(const ImmersedTriangulation& immersed, std::span<const Vec2> points);
+
+/// Per triangle and corner, whether the edge opposite to it leads on along the axis: a triangle with none of them was
+/// absorbed or is a blob, with one an end, with two a sleeve, with three a junction.
+/// @param reach branches within so many half lengths of their foot's middle are insignificant, 1.02 for `axis_graph`
+std::vector<std::bitset<3>> open_edges(const ImmersedTriangulation& immersed, std::span<const Vec2> points,
+                                       double reach);
 
 /// Distance that neighbours along a branch should keep: max(least, factor r).
 struct NodeSpacing {

@@ -226,7 +226,10 @@ void SilhouetteTool::make_actions(ActionList& actions) {
 }
 
 void SilhouetteTool::refresh() {
-  const bool mesh = studio().active() != nullptr && studio().active()->cage != 0;
+  const WorkObject* object = studio().active();
+  const bool mesh = object != nullptr && object->cage != 0;
+  const bool has_solid = object != nullptr && step_with(studio(), *object, "inflate") != nullptr;
+  host().action("quad-cage")->setEnabled(has_solid);
   offer_readings(host(), *readings_, has_view(SketchView), keys);
   host().action("mirror-strokes")->setEnabled(has_view(SketchView) && !tool_.selected().empty());
   for (const char* name : {"far-copy", "part-colour"})

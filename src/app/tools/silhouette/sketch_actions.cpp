@@ -88,6 +88,21 @@ void mirror_strokes(const Drawing& drawing, double axis, const SketchTool& tool,
   }
 }
 
+/// Beside the solid of the active sketch, which is hidden: both follow the drawing from then on.
+void add_quad_cage(Studio& studio) {
+  const WorkObject* object = studio.active();
+  const Node* solid = object == nullptr ? nullptr : step_with(studio, *object, "inflate");
+  if (solid == nullptr) return;
+  const Document& before = studio.session().document();
+  Node hidden = *before.find(object->node);
+  hidden.visible = false;
+  AddedNode added = with_step(before.with(std::move(hidden)), studio.registry(), solid->inputs.at("drawing").node,
+                              "cage", solid->parameters);
+  studio.session().edit("Make a quad cage of " + readable_name(object->name), std::move(added.document));
+  studio.set_active(added.node);
+  studio.session().select({{added.node, ""}});
+}
+
 }  // namespace
 
 void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, ReadingStrip& readings,
@@ -101,6 +116,10 @@ void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, Re
   add_plane("add-sketch", tr("Seen from the front"), {QKeySequence("Ctrl+Shift+N")}, {});
   add_plane("add-sketch-top", tr("Seen from the top"), {}, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()});
   add_plane("add-sketch-side", tr("Seen from the side"), {}, {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()});
+  actions.add(actions.menu(MenuId::Create), "quad-cage", tr("Quad cage"), {}, [&host] {
+    host.attempt([&] { add_quad_cage(host.studio()); });
+    host.refresh();
+  });
   add_mode(host, actions, MenuId::Sketch, "draw", tr("Draw"), "D");
   add_mode(host, actions, MenuId::Sketch, "tube", tr("Draw tubes"), "Ctrl+Shift+D");
   add_mode(host, actions, MenuId::Sketch, "erase", tr("Erase"), "X");
