@@ -1720,6 +1720,26 @@
         <translation>부위 %1</translation>
     </message>
     <message>
+        <source>Other readings of the sketch</source>
+        <translation>스케치의 다른 해석</translation>
+    </message>
+    <message>
+        <source>Looking for other readings…</source>
+        <translation>다른 해석을 찾는 중…</translation>
+    </message>
+    <message>
+        <source>Looking for more…</source>
+        <translation>더 찾는 중…</translation>
+    </message>
+    <message>
+        <source>No other reading</source>
+        <translation>다른 해석이 없습니다</translation>
+    </message>
+    <message>
+        <source>As it is read now</source>
+        <translation>지금 인식된 대로</translation>
+    </message>
+    <message>
         <source>1 stroke</source>
         <translation>획 1개</translation>
     </message>
@@ -1768,6 +1788,10 @@
         <translation>측면에서 본 모습</translation>
     </message>
     <message>
+        <source>Quad cage</source>
+        <translation>쿼드 케이지</translation>
+    </message>
+    <message>
         <source>Draw</source>
         <translation>그리기</translation>
     </message>
@@ -1790,6 +1814,10 @@
     <message>
         <source>Second one on the far side</source>
         <translation>반대쪽에 하나 더</translation>
+    </message>
+    <message>
+        <source>Other readings</source>
+        <translation>다른 해석</translation>
     </message>
     <message>
         <source>Colour of part…</source>
@@ -3496,6 +3524,34 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>프리셋에 따름</translation>
     </message>
     <message>
+        <source>Quad Cage</source>
+        <translation>쿼드 케이지</translation>
+    </message>
+    <message>
+        <source>Turns drawn contours into a coarse control mesh of quads, whose subdivision surface is close to their solids.</source>
+        <translation>그려진 윤곽선을 성긴 쿼드 제어 메쉬로 바꿉니다. 그 서브디비전 표면은 윤곽선의 솔리드에 가깝습니다.</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>링</translation>
+    </message>
+    <message>
+        <source>Distance of the rings of quads that run around limbs.</source>
+        <translation>팔다리를 감싸는 쿼드 링 사이의 거리입니다.</translation>
+    </message>
+    <message>
+        <source>× the local radius</source>
+        <translation>× 그 자리의 반지름</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>촘촘하게</translation>
+    </message>
+    <message>
+        <source>wide apart</source>
+        <translation>넓게</translation>
+    </message>
+    <message>
         <source>Solid from Perspective</source>
         <translation>투시 드로잉으로 솔리드 만들기</translation>
     </message>
@@ -4538,6 +4594,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>Swap strands of %1</source>
         <translation>%1의 가닥 뒤바꾸기</translation>
+    </message>
+    <message>
+        <source>Choose a reading</source>
+        <translation>해석 선택</translation>
     </message>
     <message>
         <source>Find what %1 is</source>
@@ -9250,6 +9310,90 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
     <message>
         <source>The copy of "%1" on the far side is left out, since it has no sound union with what it belongs to: draw it further away</source>
         <translation>"%1"의 반대쪽 복사는 붙어 있는 부위와 올바르게 합쳐지지 않아 만들지 않았습니다: 더 떨어뜨려 그리세요</translation>
+    </message>
+    <message>
+        <source>"%1" is a hole</source>
+        <translation>"%1": 구멍</translation>
+    </message>
+    <message>
+        <source>"%1" is a part in front</source>
+        <translation>"%1": 앞쪽 부위</translation>
+    </message>
+    <message>
+        <source>"%1" is a limb of one line</source>
+        <translation>"%1": 선 하나로 된 팔다리</translation>
+    </message>
+    <message>
+        <source>"%1" is a line on the surface</source>
+        <translation>"%1": 서피스 위의 선</translation>
+    </message>
+    <message>
+        <source>"%1" is left out</source>
+        <translation>"%1": 제외됨</translation>
+    </message>
+    <message>
+        <source>"%1" is an outline</source>
+        <translation>"%1": 윤곽선</translation>
+    </message>
+    <message>
+        <source>"%1" goes behind "%2"</source>
+        <translation>"%1": "%2" 뒤로 지나감</translation>
+    </message>
+    <message>
+        <source>"%1" passes over "%2"</source>
+        <translation>"%1": "%2" 위로 지나감</translation>
+    </message>
+    <message>
+        <source>the start of "%1"</source>
+        <translation>"%1"의 시작</translation>
+    </message>
+    <message>
+        <source>the end of "%1"</source>
+        <translation>"%1"의 끝</translation>
+    </message>
+    <message>
+        <source>%1 and %2 joined</source>
+        <translation>%1, %2 이어짐</translation>
+    </message>
+    <message>
+        <source>%1 and %2 apart</source>
+        <translation>%1, %2 떨어짐</translation>
+    </message>
+    <message>
+        <source>%1 is joined to %2</source>
+        <translation>%1: %2에 이어짐</translation>
+    </message>
+    <message>
+        <source>the surface of "%1" goes on in another way</source>
+        <translation>"%1"의 서피스가 다르게 이어짐</translation>
+    </message>
+    <message>
+        <source>parts lie over one another in another way</source>
+        <translation>부위가 겹치는 순서가 다름</translation>
+    </message>
+    <message>
+        <source>What "%1" is joined to or apart from, "%2", names no two ends: write it as "end OTHER start"</source>
+        <translation>"%1"이(가) 이어지거나 떨어지는 대상 "%2"이(가) 두 끝을 가리키지 않습니다. "end OTHER start"처럼 쓰십시오</translation>
+    </message>
+    <message>
+        <source>An end can't be joined to itself: %1</source>
+        <translation>끝을 자기 자신에 이을 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>They can't be joined, for "%1" is no open outline: %2; give it another kind, or join other ends</source>
+        <translation>"%1"이(가) 열린 윤곽선이 아니어서 이을 수 없습니다: %2. 다른 종류를 지정하거나 다른 끝을 이으십시오</translation>
+    </message>
+    <message>
+        <source>Two ends are set both to be joined and to be apart: %1; take one back</source>
+        <translation>두 끝이 이어지는 것과 떨어지는 것으로 함께 지정되었습니다: %1. 하나를 취소하십시오</translation>
+    </message>
+    <message>
+        <source>An end can be joined to one other end only: %1 to %2, or to %3</source>
+        <translation>끝 하나는 다른 끝 하나에만 이을 수 있습니다: %1을(를) %2에, 또는 %3에</translation>
+    </message>
+    <message>
+        <source>No solid looks like what is set for ends of strokes: %1; it is left out, or the strokes have to change</source>
+        <translation>획의 끝에 지정한 것과 같은 솔리드가 없습니다: %1. 지정을 무시했거나 획을 바꾸어야 합니다</translation>
     </message>
 </context>
 </TS>

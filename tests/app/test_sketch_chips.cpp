@@ -377,7 +377,7 @@ TEST_CASE("half of an outline is enough for a symmetric drawing, and an ear come
   StudioFixture hand;
   hand.look_at({-200, -200}, {200, 200});
   hand.act("symmetric-drawing");
-  const double axis = *hand.sketch().tool().mirror();
+  const double axis = *hand.sketch().tool().options().mirror;
   std::vector<Vec2> half;
   for (int k = 0; k <= 60; ++k) {
     const double angle = 3.14159265358979 * (0.5 + k / 60.0);

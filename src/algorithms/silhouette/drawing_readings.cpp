@@ -109,7 +109,7 @@ std::vector<std::string> differences(const Drawing& drawing, const Decisions& fi
 }
 
 /// A drawing that says something else than a reading of it does.
-struct Change {
+struct ReadingChange {
   Drawing drawing;
   double cost = 0;  ///< of what its labelled figure doesn't know
 };
@@ -134,9 +134,9 @@ void set_behind(Drawing& drawing, Index stroke, Index other) {
 }
 
 /// All readings next to one.
-class Changes {
+class ReadingChanges {
  public:
-  Changes(const Drawing& drawing, const LabelledDrawing& labelled) : drawing_(drawing), labelled_(labelled) {
+  ReadingChanges(const Drawing& drawing, const LabelledDrawing& labelled) : drawing_(drawing), labelled_(labelled) {
     for (const LabelledFigure& figure : labelled.figures) {
       change_nesting(figure);
       change_hidden_order(figure);
@@ -146,10 +146,10 @@ class Changes {
     for (Index s = 0; s < drawing.strokes.size(); ++s) change_kind(s);
   }
 
-  std::vector<Change> take() { return std::move(all_); }
+  std::vector<ReadingChange> take() { return std::move(all_); }
 
  private:
-  Drawing& add(double cost) { return all_.emplace_back(Change{drawing_, cost}).drawing; }
+  Drawing& add(double cost) { return all_.emplace_back(ReadingChange{drawing_, cost}).drawing; }
 
   void set_kind(Index stroke, StrokeKind kind, double cost) {
     add(cost).strokes[stroke].data[kind_key] = to_string(kind);
@@ -225,7 +225,7 @@ class Changes {
 
   const Drawing& drawing_;
   const LabelledDrawing& labelled_;
-  std::vector<Change> all_;
+  std::vector<ReadingChange> all_;
 };
 
 /// Says which ends are joined instead of which aren't: that stays what was chosen when others could be joined, too.
@@ -327,7 +327,7 @@ class DrawingReadings::Search {
     std::size_t number = 0;
   };
 
-  /// Costs that only rounding tells apart are the same: then what was found first comes first.
+  /// Costs that differ by rounding alone are the same: then what was found first comes first.
   static std::pair<long long, std::size_t> rank(const Candidate& candidate) {
     return {std::llround(1e3 * candidate.cost), candidate.number};
   }
@@ -346,9 +346,9 @@ class DrawingReadings::Search {
 
   /// Tries all changes of what was given.
   void expand(Progress& progress) {
-    std::vector<Change> changes = Changes(given_.drawing, labelled_).take();
+    std::vector<ReadingChange> changes = ReadingChanges(given_.drawing, labelled_).take();
     std::size_t done = 0;
-    for (Change& change : changes) {
+    for (ReadingChange& change : changes) {
       progress.report(done++, changes.size());
       if (tried_ >= most_labelled) return;
       ++tried_;

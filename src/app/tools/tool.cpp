@@ -85,7 +85,7 @@ Tool::Tool(ToolHost& host, const QString& about) : help_topic(about), host_(host
 
 void Tool::take(const PointerEvent& event) {
   const bool leaves = event.action == PointerEvent::Action::Leave;
-  if (!leaves) pointer_ = {event.view, event.position};
+  if (!leaves) pointer = {event.view, event.position};
   if (!leaves || !drags_leave_views_) {
     last_time_ = event.time;
     since_event_.start();

@@ -195,6 +195,7 @@ class Tool : public QObject {
  public:
   const QString help_topic;  ///< the heading of the manual that is about it; none for the help in general
   ToolKeys keys;
+  PointerPlace pointer;
 
   explicit Tool(ToolHost& host, const QString& about = {});
 
@@ -221,8 +222,7 @@ class Tool : public QObject {
   // ---- The pointer
   virtual void take(const PointerEvent& event);  ///< its place in pixels of its view
   bool down() const { return input_.down(); }    ///< a gesture is under way
-  const PointerPlace& pointer() const { return pointer_; }
-  virtual bool abandon();  ///< gives it up. @return false when there was none
+  virtual bool abandon();                        ///< gives it up. @return false when there was none
 
   virtual bool command(EditCommand) { return false; }  ///< @return false: it isn't this tool's
   virtual void add_all_to(Selection&) const {}         ///< what Select all selects beside meshes
@@ -261,7 +261,6 @@ class Tool : public QObject {
 
  private:
   ToolHost& host_;
-  PointerPlace pointer_;
   QTimer watch_;  ///< of a stroke under way: a pen may vanish without an event
   double last_time_ = 0;
   QElapsedTimer since_event_;

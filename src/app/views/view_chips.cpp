@@ -217,7 +217,7 @@ void ViewChips::place(const Views& views) {
     const QString text = tool->state().beside_pointer;
     if (text.isEmpty()) continue;
     constexpr QPointF from_pointer(14, -24);
-    const PointerPlace& pointer = tool->pointer();
+    const PointerPlace& pointer = tool->pointer;
     const QPointF at(pointer.pixel.x(), pointer.pixel.y());
     const QPointF view = views.layout.pane(pointer.view).rect.topLeft();
     chips_.put_value("pointer-value", text, "#609ce6", view + at + from_pointer, all);

@@ -2,6 +2,7 @@
 #include "croquis/tools/silhouette/sketch_tool.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "croquis/base/error.h"
@@ -327,11 +328,8 @@ Verdict SketchTool::delete_selected() {
 }
 
 void SketchTool::select_all() {
-  const auto now = drawing();
   std::vector<std::string> ids;
-  if (now) {
-    for (const Stroke& stroke : now->strokes) ids.push_back(stroke.id);
-  }
+  if (const auto now = drawing()) std::ranges::transform(now->strokes, std::back_inserter(ids), &Stroke::id);
   select_ids(session_, node(), ids);
 }
 

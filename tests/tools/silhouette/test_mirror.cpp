@@ -22,7 +22,7 @@ struct SymmetricDesk {
   SketchTool tool{session};
   double time = 0;
 
-  SymmetricDesk() { tool.set_mirror(axis); }
+  SymmetricDesk() { tool.options().mirror = axis; }
 
   void feed(PenStep::Kind kind, const Vec2& at, bool erases = false) {
     SketchEvent event;
@@ -99,7 +99,9 @@ TEST_CASE("a stroke beside the line gets a twin, one that reaches the line is co
 
 TEST_CASE("symmetric drawings stay so whatever is moved, bent, erased, deleted and undone", "[mirror]") {
   std::mt19937 random(5);
-  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
   for (int round = 0; round < 20; ++round) {
     SymmetricDesk desk;
     desk.gesture(arc({axis + number(-20, 20), 0}, 150));

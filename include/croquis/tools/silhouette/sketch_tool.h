@@ -74,9 +74,7 @@ class SketchTool {
   SketchMode mode() const { return mode_; }
   void set_mode(SketchMode mode);  ///< gives up a gesture under way
 
-  void set_tube(std::optional<double> radius) { options_.tube = radius; }
-  void set_mirror(std::optional<double> axis) { options_.mirror = axis; }
-  const std::optional<double>& mirror() const { return options_.mirror; }
+  SketchToolOptions& options() { return options_; }
 
   Verdict handle(const SketchEvent& event);
   const SketchPreview& preview() const { return preview_; }

@@ -23,6 +23,19 @@ struct LimbSide {
   bool at_end = false;
 };
 
+/// Four quads, or two where one of the rows is a tip.
+void add_faces_between(const CutRow& low, const CutRow& high, std::vector<std::array<Index, 4>>& faces) {
+  if (high[0] == high[4]) {
+    faces.push_back({low[0], low[1], low[2], high[0]});
+    faces.push_back({low[2], low[3], low[4], high[0]});
+  } else if (low[0] == low[4]) {
+    faces.push_back({low[0], high[2], high[1], high[0]});
+    faces.push_back({low[0], high[4], high[3], high[2]});
+  } else {
+    for (std::size_t i = 0; i < 4; ++i) faces.push_back({low[i], low[i + 1], high[i + 1], high[i]});
+  }
+}
+
 class SheetBuilder {
  public:
   explicit SheetBuilder(const LimbedRegion& region) : region_(region), merged_(region.triangles) {}
@@ -210,18 +223,7 @@ class SheetBuilder {
         fill_row(rows[k]);
       }
     }
-    for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
-      const CutRow &low = rows[k], &high = rows[k + 1];
-      if (high[0] == high[4]) {
-        sheet_.faces.push_back({low[0], low[1], low[2], high[0]});
-        sheet_.faces.push_back({low[2], low[3], low[4], high[0]});
-      } else if (low[0] == low[4]) {
-        sheet_.faces.push_back({low[0], high[2], high[1], high[0]});
-        sheet_.faces.push_back({low[0], high[4], high[3], high[2]});
-      } else {
-        for (std::size_t i = 0; i < 4; ++i) sheet_.faces.push_back({low[i], low[i + 1], high[i + 1], high[i]});
-      }
-    }
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k) add_faces_between(rows[k], rows[k + 1], sheet_.faces);
   }
 
   void add_junction(const std::vector<LimbSide>& polygon) {

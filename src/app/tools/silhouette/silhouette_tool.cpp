@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "app/replay/replays.h"
 #include "app/tools/action_rows.h"
@@ -226,14 +227,9 @@ void SilhouetteTool::make_actions(ActionList& actions) {
 }
 
 void SilhouetteTool::refresh() {
-  const WorkObject* object = studio().active();
-  const bool mesh = object != nullptr && object->cage != 0;
-  const bool has_solid = object != nullptr && step_with(studio(), *object, "inflate") != nullptr;
-  host().action("quad-cage")->setEnabled(has_solid);
+  const bool mesh = studio().active() != nullptr && studio().active()->cage != 0;
   offer_readings(host(), *readings_, has_view(SketchView), keys);
-  host().action("mirror-strokes")->setEnabled(has_view(SketchView) && !tool_.selected().empty());
-  for (const char* name : {"far-copy", "part-colour"})
-    host().action(name)->setEnabled(has_view(SketchView) && !studio().drawing().strokes.empty());
+  enable_sketch_actions(host(), tool_, has_view(SketchView));
   host().action("erase")->setEnabled(studio().network_node() == 0 && (!studio().drawing().strokes.empty() || !mesh));
 }
 
@@ -251,10 +247,6 @@ void SilhouetteTool::set_mode(const QString& mode) {
 }
 
 /// The sketch view shows sketches unless it is the sheet of a drawing in perspective, or a view of a network.
-bool SilhouetteTool::has_view(int view) const {
-  return view == SketchView && studio().sheet_node() == 0 && studio().network_node() == 0;
-}
-
 ViewUse SilhouetteTool::use_of(int view) const {
   const bool is_here = has_view(view);
   const bool is_paper = is_here && (scene_.has_strokes() || !has_cage(studio()));
@@ -323,13 +315,9 @@ void SilhouetteTool::add_to(render::Scene& scene, int view) {
 }
 
 ToolState SilhouetteTool::state() const {
-  const SketchPreview& preview = tool_.preview();
-  if (inking()) return {.ink = Ink{SketchView, &preview.ink, preview.behind}};
-  return {.busy = readings_->busy(), .beside_pointer = preview.moved ? way_text(*preview.moved, studio()) : QString()};
-}
-
-std::optional<SelectionFrame> SilhouetteTool::selection_frame(int) const {
-  return SelectionFrame{scene_.bounds(true), std::nullopt, false};
+  if (inking()) return {.ink = Ink{SketchView, &tool_.preview().ink, tool_.preview().behind}};
+  const auto& moved = tool_.preview().moved;
+  return {.busy = readings_->busy(), .beside_pointer = moved ? way_text(*moved, studio()) : QString()};
 }
 
 void SilhouetteTool::place_chips(ChipPlaces& places) {
@@ -361,7 +349,7 @@ void SilhouetteTool::follow(Change change) {
 // ---- The pen
 
 void SilhouetteTool::feed(const std::vector<PenStep>& steps) {
-  tool_.set_tube(mode_ == "tube" ? std::optional(tube_radius(tube_share_, host().viewport())) : std::nullopt);
+  tool_.options().tube = mode_ == "tube" ? std::optional(tube_radius(tube_share_, host().viewport())) : std::nullopt;
   for (const PenStep& step : steps) feed(to_sketch(step, frame()));
   show_gesture();
 }
@@ -411,8 +399,7 @@ void SilhouetteTool::replay_gesture(const std::vector<StrokeSample>& samples, bo
 void SilhouetteTool::make_replays(Replays& replays) {
   replays.on<recorded::StrokeDrawn>([this](const recorded::StrokeDrawn& stroke) {
     if (!host().shows_views()) host().start_with();
-    tool_.set_tube(stroke.tube);
-    tool_.set_mirror(stroke.mirror);
+    std::tie(tool_.options().tube, tool_.options().mirror) = std::tie(stroke.tube, stroke.mirror);
     replay_gesture(stroke.points, stroke.device == "eraser", {.shift = stroke.behind}, stroke.scale);
   });
   replays.on<recorded::StrokeReading>([this](const recorded::StrokeReading& step) { tool_.set(step); });

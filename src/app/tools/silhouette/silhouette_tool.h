@@ -39,7 +39,9 @@ class SilhouetteTool final : public Tool {
 
   void adjust(ObjectScenes::Wanted& wanted, int view) const override;
   void add_to(render::Scene& scene, int view) override;
-  std::optional<SelectionFrame> selection_frame(int view) const override;
+  std::optional<SelectionFrame> selection_frame(int) const override {
+    return SelectionFrame{scene_.bounds(true), std::nullopt, false};
+  }
   void place_chips(ChipPlaces& places) override;
 
   std::vector<ObjectRow> rows(const WorkObject& object, NodeId node) override;
@@ -50,7 +52,9 @@ class SilhouetteTool final : public Tool {
   void hover(const PointerEvent& event) override;
 
  private:
-  bool has_view(int view) const;
+  bool has_view(int view) const {
+    return view == SketchView && studio().sheet_node() == 0 && studio().network_node() == 0;
+  }
   SketchFrame frame() const { return host().viewport().pane(SketchView).sketch_frame(); }
   bool inking() const { return !tool_.preview().ink.empty(); }
   bool draws() const { return mode_ == "draw" || mode_ == "tube" || mode_ == "erase"; }

@@ -136,7 +136,7 @@ void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, Re
       [&] { color_parts(host.viewport(), host.studio().drawing(), tool, chips); }, Recorded::ByItself);
   const auto axis = [&] { return mirror_axis(host.studio().drawing(), host.viewport()); };
   add_toggle(actions, sketch, "symmetric-drawing", tr("Symmetric drawing"), {QKeySequence("Y")},
-             [&, axis](bool on) { tool.set_mirror(on ? std::optional(axis()) : std::nullopt); });
+             [&, axis](bool on) { tool.options().mirror = on ? std::optional(axis()) : std::nullopt; });
   actions.add(
       sketch, "mirror-strokes", tr("Mirror selected lines"), {QKeySequence("Shift+Y")},
       [&, axis] { mirror_strokes(host.studio().drawing(), axis(), tool, chips); }, Recorded::ByItself);
@@ -151,6 +151,15 @@ void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, Re
     choice->addAction(action);
   }
   sketch->addSeparator();
+}
+
+void enable_sketch_actions(ToolHost& host, const SketchTool& tool, bool has_view) {
+  const Studio& studio = host.studio();
+  const WorkObject* object = studio.active();
+  host.action("quad-cage")->setEnabled(object != nullptr && step_with(studio, *object, "inflate") != nullptr);
+  host.action("mirror-strokes")->setEnabled(has_view && !tool.selected().empty());
+  for (const char* name : {"far-copy", "part-colour"})
+    host.action(name)->setEnabled(has_view && !studio.drawing().strokes.empty());
 }
 
 }  // namespace croquis::app

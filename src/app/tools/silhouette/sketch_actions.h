@@ -14,4 +14,7 @@ class ReadingStrip;
 void add_sketch_actions(ToolHost& host, SketchTool& tool, SketchChips& chips, ReadingStrip& readings,
                         double& tube_share, ActionList& actions);
 
+/// @param has_view the sketch is the one worked on in its view
+void enable_sketch_actions(ToolHost& host, const SketchTool& tool, bool has_view);
+
 }  // namespace croquis::app

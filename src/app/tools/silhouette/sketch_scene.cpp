@@ -183,7 +183,7 @@ void SketchScene::show_drawing(const Studio& studio, SketchTool& tool) {
   anchors_ = marks_of(anchors);
   others_ = lines_of(paths_of_others(studio), {other_width, to_color(colors::guide, 110), {}});
   axis_.reset();
-  if (const auto& axis = tool.mirror()) {
+  if (const auto& axis = tool.options().mirror) {
     const double far = 1e4 * drawn_scale(drawing, {});  // ten times the size of what is drawn
     const std::vector<Vec2> ends{{*axis, -far}, {*axis, far}};
     axis_ = lines_of({path_of(ends, on_plane)}, {1.5, to_color(colors::guide, 200), {10, 5, 2, 5}});
