@@ -52,11 +52,11 @@ TEST_CASE("a sketch becomes a cage of quads that subdivide takes") {
 
 TEST_CASE("a drawing without a solid has no cage either") {
   const ScratchFolder folder;
-  const std::string empty = folder.write("empty.svg", svg("<path id=\"a\" d=\"M0 0L100 3\"/>"));
+  const std::string empty = folder.write("empty.svg", svg("<path id=\"a\" data-kind=\"detail\" d=\"M0 0L100 3\"/>"));
   for (const char* command : {"inflate", "cage"}) {
     const ProcessResult result = run_cli({command, empty, "-o", folder / "a.obj", "--json"});
     CHECK(result.code == 4);
-    CHECK(report_of(result).at("error").at("code") == "E_EMPTY");
+    CHECK(report_of(result).at("error").at("code") == "E_KIND");
     CHECK_FALSE(std::filesystem::exists(folder / "a.obj"));
   }
   CHECK(run_cli({"cage", folder.write("bad.svg", "<svg"), "-o", folder / "a.obj"}).code == 3);

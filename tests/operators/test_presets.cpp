@@ -34,8 +34,10 @@ PolyMesh open_cage() {
 
 /// What each operation with presets works on: an input on which every parameter of theirs shows.
 std::map<std::string, Values> inputs_by_operation() {
+  const Values drawing{{"drawing", shared(test::error_sketch("E_CROSS").drawing)}};
   return {{"fill", {{"scan", shared(test::random_cuts(test::round_sphere(2), 7, 2, 0.25, 0.3).mesh)}}},
-          {"inflate", {{"drawing", shared(test::error_sketch("E_CROSS").drawing)}}},
+          {"inflate", drawing},
+          {"cage", drawing},
           {"subdivide", {{"cage", shared(open_cage())}}}};
 }
 
@@ -88,7 +90,7 @@ TEST_CASE("a default that is given beside a preset has the effect of the given v
       }
     }
   }
-  CHECK(compared == 7);
+  CHECK(compared == 8);
 }
 
 TEST_CASE("what a mode doesn't look at is told where it was given, and not where a preset set it") {

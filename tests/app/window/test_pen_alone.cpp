@@ -118,6 +118,7 @@ class PenAlone : public StudioFixture {
   /// Saves under the name that the dialog proposes. @return the file
   QString exported() {
     QString path;
+    window().parts().folder = folder();
     in_file_dialog([&](QFileDialog& dialog) {
       path = dialog.selectedFiles().value(0);
       tap(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
