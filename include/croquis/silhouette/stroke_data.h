@@ -52,9 +52,9 @@ bool has_far_copy(const std::map<std::string, std::string>& data);  ///< of a st
 /// without one have that of a part that they are attached to.
 inline constexpr const char* fill_key = "fill";
 
-/// "mirror": x of a vertical line, in the drawing's units, on both sides of which the stroke is the same. "twin": the id
-/// of its mirror image, where that is a stroke of its own. Where all outlines have the same line, so has the solid: the
-/// right half has the same numbers as the left one.
+/// "mirror": x of a vertical line, in the drawing's units, on both sides of which the stroke is the same. "twin": the
+/// id of its mirror image, where that is a stroke of its own. Where all outlines have the same line, so has the solid:
+/// the right half has the same numbers as the left one.
 inline constexpr const char* mirror_key = "mirror";
 inline constexpr const char* twin_key = "twin";
 

@@ -161,7 +161,6 @@ std::string fill_of(const Drawing& drawing, const std::string& id) {
   return said_of_part(drawing, id, silhouette::fill_key);
 }
 
-
 DrawingEdit set_data(const Drawing& drawing, const std::vector<std::array<std::string, 3>>& says) {
   DrawingEdit edit{drawing, {}, {}, {}};
   for (const auto& [id, key, value] : says) {
