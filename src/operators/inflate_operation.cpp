@@ -161,7 +161,7 @@ void list_cage_parameters(CageSettings& settings, ParameterList& list) {
   list_inflate_parameters(settings.options, list);
   list.number("rings", settings.rings, 0.3, 3, {"× the local radius", ParameterLength::Inner},
               "Distance of the rings of quads that run around limbs.")
-      .titled("Rings", {"close", "wide apart"});
+      .titled("Rings", {"close", "wide"});
 }
 
 OperationResult compute_cage(const Values& inputs, CageSettings settings, Context& context) {

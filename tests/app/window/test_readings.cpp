@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other readings of a sketch, as pictures at the lower edge of its view.
+#include <QFrame>
 #include <QTest>
 #include <QToolButton>
 #include <cmath>
@@ -54,6 +55,9 @@ TEST_CASE("Tab shows other readings, and a click chooses one as one step", "[rea
   REQUIRE(has_readings(hand, 2));
   CHECK(button(hand, "reading-1")->isVisible());
   CHECK_FALSE(button(hand, "reading-2")->icon().isNull());
+  hand.picture();
+  const auto* strip = hand.viewport().findChild<QFrame*>("readings");
+  CHECK(hand.viewport().pane(app::SketchView).rect.contains(QRectF(strip->geometry())));
   const QString words = button(hand, "reading-2")->toolTip();
   CHECK_FALSE(words.isEmpty());
   QTest::mouseClick(button(hand, "reading-2"), Qt::LeftButton);

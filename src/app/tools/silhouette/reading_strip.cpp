@@ -183,10 +183,14 @@ bool ReadingStrip::eventFilter(QObject* button, QEvent* event) {
 void ReadingStrip::place(const ViewPane& pane, bool shown) {
   if (!is_open() || !shown || !pane.visible()) return hide();
   // All that may come fit into the view.
-  constexpr int around_picture = 14;
-  const int wide = static_cast<int>(pane.rect.width()) / static_cast<int>(most_readings_shown) - around_picture;
+  constexpr int around_picture = 8, around_all = 16;
+  const int room = static_cast<int>(pane.rect.width()) - around_all;
+  const int wide = room / static_cast<int>(most_readings_shown) - around_picture - layout()->spacing();
   const QSize picture = reading_picture.boundedTo({wide, wide * reading_picture.height() / reading_picture.width()});
-  for (QToolButton* button : buttons_) button->setIconSize(picture);
+  for (QToolButton* button : buttons_) {
+    button->setIconSize(picture);
+    button->setFixedSize(picture + QSize(around_picture, around_picture));
+  }
   layout()->activate();
   adjustSize();
   const QPointF middle = pane.rect.center();
