@@ -3548,10 +3548,6 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>촘촘하게</translation>
     </message>
     <message>
-        <source>wide apart</source>
-        <translation>넓게</translation>
-    </message>
-    <message>
         <source>Solid from Perspective</source>
         <translation>투시 드로잉으로 솔리드 만들기</translation>
     </message>
@@ -3960,7 +3956,7 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>태그가 없는 에지는 페이스가 이보다 큰 각도로 만나면 날카로워집니다. 0이면 적용하지 않습니다.</translation>
     </message>
     <message>
-        <source>Corners of sharp edges above</source>
+        <source>Corners above</source>
         <translation>날카로운 에지의 코너 최소 각도</translation>
     </message>
     <message>

@@ -69,7 +69,7 @@ void list_subdivide_parameters(SubdivideSettings& settings, ParameterList& list)
       .or_else("off");
   list.angle("keep-kinks", settings.keep_kinks, 0, 180,
              "Chains that turn by more than this at a vertex of the cage keep a corner there; 180 for none.")
-      .titled("Corners of sharp edges above", {"sharp", "round"})
+      .titled("Corners above", {"sharp", "round"})
       .or_else("off")
       .at(ParameterPlace::Expert);
   list.flag("limit", settings.limit, "Move the vertices to where they would end after endless refinement.")

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = CameraMotion::Kind;
 
-constexpr int handle_size = 24, handle_gap = 4, corner_gap = 10;
+constexpr int handle_size = 24, icon_size = 14, handle_gap = 4, corner_gap = 10;
 constexpr double zoom_per_pixel = 0.01;  // up comes nearer
 constexpr const char* handle_style =
     "QToolButton { background: rgba(255, 255, 255, 150); border: 1px solid #b4bac4; border-radius: 12px }"
@@ -22,6 +22,9 @@ constexpr const char* handle_style =
 class ViewHandle final : public QToolButton {
  public:
   ViewHandle(Views& views, Kind kind) : QToolButton(&views.widget), views_(views), kind_(kind) {}
+
+  QSize sizeHint() const override { return {handle_size, handle_size}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void mousePressEvent(QMouseEvent* event) override {
@@ -55,7 +58,8 @@ ViewHandles::ViewHandles(Views& views) : views_(views) {
   for (std::size_t k = 0; k < buttons_.size(); ++k) {
     QToolButton* button = buttons_[k] = new ViewHandle(views, kinds[k]);
     button->setObjectName(names[k]);
-    button->setFixedSize(handle_size, handle_size);
+    button->setFixedSize(button->sizeHint());
+    button->setIconSize({icon_size, icon_size});
     button->setFocusPolicy(Qt::NoFocus);
     button->setStyleSheet(handle_style);
     button->setIcon(paper_icon(icons[k]));
