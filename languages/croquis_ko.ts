@@ -3952,6 +3952,10 @@ GNU General Public License 버전 3 이상에 따른 자유 소프트웨어입�
         <translation>케이지를 세분화하는 횟수입니다. 레벨마다 페이스가 약 4배로 늘어납니다.</translation>
     </message>
     <message>
+        <source>Sharp over</source>
+        <translation>날카로움 최소 각도</translation>
+    </message>
+    <message>
         <source>Edges without a tag become sharp where faces meet at more than this; 0 for none.</source>
         <translation>태그가 없는 에지는 페이스가 이보다 큰 각도로 만나면 날카로워집니다. 0이면 적용하지 않습니다.</translation>
     </message>

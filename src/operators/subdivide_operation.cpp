@@ -65,7 +65,7 @@ void list_subdivide_parameters(SubdivideSettings& settings, ParameterList& list)
       .titled("Level");
   list.angle("sharp-angle", settings.sharp_angle, 0, 180,
              "Edges without a tag become sharp where faces meet at more than this; 0 for none.")
-      .titled("Sharp above")
+      .titled("Sharp over")
       .or_else("off");
   list.angle("keep-kinks", settings.keep_kinks, 0, 180,
              "Chains that turn by more than this at a vertex of the cage keep a corner there; 180 for none.")
