@@ -159,12 +159,14 @@ std::optional<SketchChange> erased_strokes(const SketchEvent& start, const Sketc
   return SketchChange{std::move(edit), label, std::move(step)};
 }
 
-/// The document with what an edit has made of the drawing; what is made of the drawing follows strokes that go.
+/// The document with what an edit has made of the drawing, on both sides where it is symmetric; what is made of the
+/// drawing follows strokes that go.
 /// @param node of the drawing; 0: it becomes a new one
-Document with_edit(const Document& before, NodeId node, DrawingEdit edit, const SketchToolOptions& options) {
+/// @param original what the edit began with: of a drag, the drawing before it
+Document with_edit(const Document& before, NodeId node, const Drawing& original, DrawingEdit edit,
+                   const SketchToolOptions& options) {
+  edit = on_both_sides(original, std::move(edit));
   const Node* old = before.find(node);
-  const auto drawn = source_of<Drawing>(old);
-  edit = on_both_sides(drawn ? *drawn : Drawing{}, std::move(edit));
   const Value drawing = std::make_shared<const Drawing>(edit.drawing);
   if (old == nullptr) return add_drawing(before, drawing, options);
   Node edited = *old;
@@ -257,9 +259,9 @@ void SketchTool::go_on(const SketchEvent& event) {
   if (now.kind == SketchGesture::Kind::Box) preview_.box = now.box();
   if (now.kind != SketchGesture::Kind::Anchor && now.kind != SketchGesture::Kind::Strokes) return;
   preview_.moved = now.way();
-  const DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
-                                      : move_strokes(*now.original, selected(), now.way());
-  drag_.to(with_edit(session_.document(), node(), edit, options_));
+  DrawingEdit edit = now.anchor ? drag_anchor(*now.original, now.picked, now.held_fit, *now.anchor, now.way())
+                                : move_strokes(*now.original, selected(), now.way());
+  drag_.to(with_edit(session_.document(), node(), *now.original, std::move(edit), options_));
 }
 
 void SketchTool::start_drag() {
@@ -311,7 +313,8 @@ Verdict SketchTool::finish() {
 Verdict SketchTool::commit(std::optional<SketchChange> change) {
   if (!change) return Verdict::Revert;
   done_ = std::move(change->step);
-  session_.edit(change->label, with_edit(session_.document(), node(), change->edit, options_));
+  const Drawing before = drawing() ? *drawing() : Drawing{};
+  session_.edit(change->label, with_edit(session_.document(), node(), before, std::move(change->edit), options_));
   return Verdict::Commit;
 }
 
@@ -355,7 +358,7 @@ Verdict SketchTool::set(const recorded::StrokeReading& setting, bool dragging) {
   DrawingEdit edit = setting_edit(now, setting);
   if (!dragging && !goes_on) return commit(SketchChange{std::move(edit), setting_label(setting), setting});
   if (!goes_on) drag_.begin(setting_label(setting));
-  drag_.to(with_edit(session_.document(), node(), edit, options_));
+  drag_.to(with_edit(session_.document(), node(), now, std::move(edit), options_));
   gesture_ = dragging ? std::make_unique<SketchGesture>(SketchGesture{SketchGesture::Kind::Setting, {}, {}}) : nullptr;
   if (dragging) return Verdict::Continue;
   drag_.end();
@@ -400,7 +403,7 @@ const StrokeFit* SketchTool::fit(const std::string& id) {
 void read_as(Session& session, NodeId node, const recorded::ReadingChosen& reading) {
   const auto drawing = source_of<Drawing>(session.document().find(node));
   if (!drawing) refuse_stroke(reading.says.empty() ? "" : reading.says.front().front());
-  session.edit("Choose a reading", with_edit(session.document(), node, set_data(*drawing, reading.says), {}));
+  session.edit("Choose a reading", with_edit(session.document(), node, *drawing, set_data(*drawing, reading.says), {}));
 }
 
 }  // namespace croquis

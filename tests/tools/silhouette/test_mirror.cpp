@@ -136,6 +136,29 @@ TEST_CASE("symmetric drawings stay so whatever is moved, bent, erased, deleted a
   }
 }
 
+TEST_CASE("a drag that rests before it ends keeps what it did, on either side of the line", "[mirror]") {
+  for (const double side : {-1.0, 1.0}) {
+    INFO(side);
+    SymmetricDesk desk;
+    desk.gesture(arc({axis, 0}, 150));
+    const Stroke before = desk.strokes().front();
+    desk.session.select({{desk.tool.node(), before.id}});
+    desk.tool.set_mode(SketchMode::Select);
+    const auto& anchors = desk.tool.fit(before.id)->anchors;
+    const auto anchor = std::ranges::max_element(anchors, {}, [&](const auto& a) { return side * a.position.x(); });
+    const Vec2 from = anchor->position, to = from - Vec2(40 * side, 0);
+    desk.feed(PenStep::Kind::Begin, from);
+    for (int k = 0; k <= 8; ++k) desk.feed(PenStep::Kind::Sample, from + (to - from) * (k / 8.0));
+    for (int k = 0; k < 3; ++k) desk.feed(PenStep::Kind::Sample, to);
+    desk.feed(PenStep::Kind::End, to);
+    CHECK(is_symmetric(desk.strokes()));
+    double reach = 0;
+    for (const StrokeSample& sample : desk.strokes().front().samples)
+      if (std::abs(sample.position.y() - from.y()) < 5) reach = std::max(reach, std::abs(sample.position.x() - axis));
+    CHECK(reach < std::abs(from.x() - axis) - 20);
+  }
+}
+
 TEST_CASE("what is said of a stroke is said of its twin, and both can part again", "[mirror]") {
   SymmetricDesk desk;
   desk.gesture(arc({axis - 100, 0}, 30));
